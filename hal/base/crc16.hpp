@@ -8,7 +8,7 @@
 
 namespace fencepost::base {
 
-/// Feeds one more byte, all eight bit steps at once: the polynomial has three terms below the leading one, so the bits
+/// Feeds one more byte, all eight bit steps at once. The polynomial has three terms below the leading one. So the bits
 /// shifted out at the top are added back in three places, and once more four bits further on.
 constexpr std::uint16_t crc16_step(std::uint16_t crc, std::uint8_t byte) {
   unsigned top = (static_cast<unsigned>(crc) >> 8U) ^ byte;

@@ -9,9 +9,8 @@ float exp_minus(float x);
 /// exp(-24) is below 4e-11.
 inline constexpr float kExpUnderflow = 24.0F;
 
-// Of both forms: this one and exp_minus_within().
-inline constexpr float kExpLog2E = 1.44269504F;
-inline constexpr float kExpLn2 = 0.693147181F;
+inline constexpr float kExpLog2E = 1.44269504F;  ///< for this form and exp_minus_within()
+inline constexpr float kExpLn2 = 0.693147181F;   ///< the same
 /// exp(g) for |g| <= ln 2 / 2: Taylor to g^6, truncation below 2e-7.
 inline float exp_of_rest(float g) {
   float sum = 8.33333333e-3F + g * 1.38888889e-3F;

@@ -44,8 +44,8 @@ class Fnv1a64 {
   static constexpr bool kLongMultiplication = true;
 #endif
 
-  // The prime is 2^40 + 0x1B3. A core without long multiplication does the second part in half words, four
-  // times as fast as a 64-bit multiplication there; the hash is a tenth of a frame's work.
+  // The prime is 2^40 + 0x1B3. A core without long multiplication does the second part in half words. That is four
+  // times as fast as its 64-bit multiplication, and the hash is a tenth of a frame's work.
   static constexpr std::uint64_t times_prime(std::uint64_t v) {
     if constexpr (kLongMultiplication) return v * kPrime;
     std::uint32_t factor = 0x1B3;

@@ -12,8 +12,8 @@ class Stamp {
   constexpr Stamp() = default;
   constexpr explicit Stamp(Time t) : ticks_(low_word(t)) {}
 
-  /// How long before `now`. Right for the 4.9 days before `now` and for kBackwards after it; a longer time comes out
-  /// shorter by whole rounds of the word, which delays a repetition once.
+  /// Time from the stamp to `now`. Right for the 4.9 days before `now` and for kBackwards after it. A longer time comes
+  /// out shorter by whole rounds of the word, which delays a repetition once.
   [[nodiscard]] constexpr Duration since(Time now) const {
     const std::uint32_t ahead = low_word(now) - ticks_;
     constexpr auto kBack = static_cast<std::uint32_t>(kBackwards.raw);

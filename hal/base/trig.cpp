@@ -14,8 +14,8 @@ float cosine_tail(float q) {
   return q * (-0.5F + q * (4.16666667e-2F + q * (-1.38888889e-3F + q * (2.48015873e-5F - q * 2.75573192e-7F))));
 }
 
-// A thousandth, towards zero, of what is below 2^40: two divisions of 32 bits, which small cores do many times as fast
-// as one of 64.
+// A thousandth, towards zero, of a value below 2^40. Small cores do two divisions of 32 bits many times as fast as one
+// of 64.
 std::int64_t thousandth(std::int64_t value) {
   const auto amount = static_cast<std::uint64_t>(value < 0 ? -value : value);
   const auto upper = static_cast<std::uint32_t>(amount >> 16U);
@@ -27,7 +27,8 @@ std::int64_t thousandth(std::int64_t value) {
 }
 
 // Direction of an angle within +-pi/4. The angle is split into a part that a float holds exactly and a remainder below
-// 2^-24 rad, which enters by the first derivative: rounding the angle itself would cost as much as everything else.
+// 2^-24 rad. The remainder enters by the first derivative: rounding the angle itself would cost as much as everything
+// else.
 SinCos sincos_of_octant(std::int64_t picoradians) {
   // Units of 2^-32 rad: 2^62 / 1e9 = 4611686018.4, and |nanoradians| < 2^30 keeps the product inside 63 bits.
   const std::int64_t units = (thousandth(picoradians) * 4'611'686'018) >> 30;

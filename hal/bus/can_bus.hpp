@@ -24,8 +24,8 @@ struct CanFrame {
   friend constexpr bool operator==(const CanFrame&, const CanFrame&) = default;
 };
 
-/// No call waits. `receive` answers the next frame; kNotReady: none there; kBadInput: the bus reported an error (a
-/// frame may be lost); kGone: interface down, controller bus-off or unplugged; later calls may succeed again.
+/// No call waits. `receive` answers the next frame. kNotReady: none there. kBadInput: the bus reported an error (a
+/// frame may be lost). kGone: interface down, controller bus-off or unplugged; later calls may succeed again.
 template <class T>
 concept CanBus = requires(T bus) {
   { bus.receive() } -> std::same_as<base::Result<CanFrame>>;

@@ -11,7 +11,7 @@
 namespace fencepost::bus {
 
 /// No call waits. `send` takes a whole telegram or nothing (kFull) and answers its size.
-/// `receive` fills the front of the buffer with one telegram and answers its size; kNotReady: none there; kBadInput:
+/// `receive` fills the front of the buffer with one telegram and answers its size. kNotReady: none there. kBadInput:
 /// one came that was longer than the buffer or malformed, and is dropped. kGone, of both: unplugged; later calls may
 /// succeed again.
 template <class T>

@@ -1,4 +1,4 @@
-// What the pins of a board's ports are called on its header, for people.
+// Names of the pins of a board's ports as its header has them, for people.
 #pragma once
 
 #include <string_view>

@@ -11,8 +11,8 @@
 namespace fencepost::fake {
 
 /// Flash as parts have it: erased bytes are 0xFF, writing clears bits. After `cut_after(n)`, n words are still written
-/// (an erasure counts as one); of the next one some bits are, or none if it is not torn, and from then on nothing,
-/// until power_on().
+/// (an erasure counts as one). Of the next word some bits are written, or none if it is not torn. From then on nothing
+/// is written until power_on().
 template <std::size_t N>
 class CutFlash {
  public:

@@ -13,7 +13,7 @@
 
 namespace fencepost::fake {
 
-/// What became of one transfer: bytes read, or an error; first `turns` times kNotReady.
+/// Result of one transfer: bytes read, or an error; first `turns` times kNotReady.
 struct I2cStep {
   std::span<const std::uint8_t> bytes;
   std::optional<base::Error> error;

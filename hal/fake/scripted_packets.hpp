@@ -12,7 +12,7 @@
 
 namespace fencepost::fake {
 
-/// What one receive answers, once as many telegrams as `after` have been sent.
+/// The answer of one receive, once as many telegrams as `after` have been sent.
 struct PacketStep {
   std::span<const std::uint8_t> bytes;
   std::optional<base::Error> error;

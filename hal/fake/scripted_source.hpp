@@ -11,7 +11,7 @@
 
 namespace fencepost::fake {
 
-/// What a poll at or after `at` answers, once; the link's state from then on.
+/// The one answer of a poll at or after `at`, and the link's state from then on.
 template <class Sample>
 struct SourceStep {
   base::Time at;

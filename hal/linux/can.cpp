@@ -63,7 +63,7 @@ Opened<Descriptor> open_socket(const CanSettings& settings) {
   return socket;
 }
 
-/// What came with a frame beside it.
+/// The kernel's notes beside a frame.
 struct Notes {
   std::optional<timeval> stamp;
   std::uint32_t lost = 0;

@@ -1,4 +1,4 @@
-// What listening to a CAN interface and sending on it have in common.
+// Shared by listening to a CAN interface and sending on it.
 #pragma once
 
 #include <string>

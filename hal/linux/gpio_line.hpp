@@ -15,8 +15,8 @@ struct GpioSettings {
   bool high = false;  ///< from the first moment on
 };
 
-/// When it is closed, or its program ends however it ends, the kernel gives the line back; whether that keeps its level
-/// or makes an input of it is the chip's affair, and a pull resistor decides then.
+/// The kernel gives the line back when it is closed, or when its program ends in any way. Then the chip keeps its level
+/// or makes an input of it, and a pull resistor decides.
 /// errors: a sentence: no such chip or line, it is in use, it may not be opened, a program built without libgpiod.
 Opened<std::unique_ptr<OutputLine>> open_gpio_line(const GpioSettings& settings);
 

@@ -1,4 +1,4 @@
-// What opening a device answers: the device, or a sentence for its user.
+// The result of opening a device: the device, or a sentence for its user.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace fencepost::linux {
 
-/// What failed, where, and what to try; without a full stop, as messages have it.
+/// A sentence: the failure, its place and a remedy; without a full stop, as messages have it.
 struct Problem {
   std::string sentence;
 };

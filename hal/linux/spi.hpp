@@ -18,7 +18,7 @@ namespace fencepost::linux {
 
 struct SpiSettings {
   std::string path;                 ///< such as /dev/spidev0.0
-  std::uint32_t hertz = 2'000'000;  ///< what a Pixy2 takes (Pixy2 documentation, porting guide)
+  std::uint32_t hertz = 2'000'000;  ///< rate of a Pixy2 (Pixy2 documentation, porting guide)
   std::uint8_t mode = 3;            ///< clock polarity and phase, 0 to 3
 };
 

@@ -1,4 +1,4 @@
-// What a stream over SPI may clock, and what came in unasked.
+// Limits the bytes that a stream over SPI clocks, and keeps those that came in unasked.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace fencepost::linux {
 
-/// One grant a millisecond of at most kGrant bytes: 64 kB/s, several times what a Pixy2 sends, and a loop that reads
-/// until nothing is left terminates.
+/// One grant a millisecond of at most kGrant bytes: 64 kB/s, several times what a Pixy2 sends. The limit ends a loop
+/// that reads until nothing is left.
 class SpiPacing {
  public:
   static constexpr std::size_t kGrant = 64;

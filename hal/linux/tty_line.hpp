@@ -6,10 +6,10 @@
 
 namespace fencepost::linux {
 
-/// What `set_raw_line` could not do.
+/// Failures of `set_raw_line`.
 struct LineFault {
   int error = 0;                  ///< errno; 0: none
-  std::uint32_t actual_baud = 0;  ///< what the port chose instead of the baud asked for; 0: as asked
+  std::uint32_t actual_baud = 0;  ///< the port's choice instead of the baud asked for; 0: as asked
 };
 
 /// Raw, 8N1, no flow control, modem lines ignored, at any baud the port can make (BOTHER, ioctl_tty(2)).

@@ -12,8 +12,8 @@
 
 namespace fencepost::linux {
 
-/// Where udev runs, a context is kept for the next open_usb() and never closed: libusb_exit races with the hotplug
-/// thread and hung or crashed (libusb up to 1.0.26; its issues 1366 and 1445).
+/// Where udev runs, a context is kept for the next open_usb() and never closed. The reason: libusb_exit races with the
+/// hotplug thread and hung or crashed (libusb up to 1.0.26; its issues 1366 and 1445).
 struct CloseUsbContext {
   void operator()(libusb_context* context) const;
 };

@@ -18,23 +18,23 @@ namespace fencepost::linux {
 
 class UsbWorker;
 
-/// Ends its thread, and waits for that no longer than the settings' timeout: a thread that hangs in libusb or in the
+/// Ends its thread, and waits for that no longer than the settings' timeout. A thread that hangs in libusb or in the
 /// kernel keeps the worker and destroys it when it returns.
 struct EndUsbWorker {
   void operator()(UsbWorker* worker) const;
 };
 using UsbWorkerOwner = std::unique_ptr<UsbWorker, EndUsbWorker>;
 
-/// What went wrong on a link that is still there, since it was opened.
+/// Failures on a link that is still there, since it was opened.
 struct UsbCounters {
   std::uint32_t stalls = 0;        ///< the device halted a pipe; it was started again
   std::uint32_t errors = 0;        ///< transfers that failed otherwise (noise, babble): their bytes are lost
   std::uint32_t out_timeouts = 0;  ///< telegrams that the device did not take within a second: lost
 };
 
-/// What both links share. All of libusb is done by a thread of its own: no call waits, whatever the device does. Both
-/// directions queue a bounded number of transfers; a device is not asked for more while nobody reads.
-/// After an unplug, `tend` finds the device again by its ids and serial number. What came before is read first.
+/// Shared by both links. All of libusb is done by a thread of its own: no call waits, whatever the device does. Both
+/// directions queue a bounded number of transfers; a device is not asked for more while nobody reads. After an unplug,
+/// `tend` finds the device again by its ids and serial number. Bytes that came before are read first.
 class UsbPipes {
  public:
   UsbPipes(const UsbPipes&) = delete;

@@ -40,7 +40,7 @@ class UsbTransfer {
 
   [[nodiscard]] bool in_flight() const { return in_flight_; }
   [[nodiscard]] libusb_transfer_status status() const { return transfer_->status; }
-  /// What went over the wire.
+  /// The bytes that went over the wire.
   [[nodiscard]] std::span<const std::uint8_t> bytes() const {
     return {bytes_.data(), static_cast<std::size_t>(transfer_->actual_length)};
   }

@@ -91,7 +91,7 @@ class UsbWorker {
 
   const UsbSettings settings_;
 
-  mutable std::mutex mutex_;  ///< of what follows, up to `readable_`
+  mutable std::mutex mutex_;  ///< of the members below, up to `readable_`
   std::condition_variable tried_;
   std::deque<Bytes> inbox_;
   std::size_t front_used_ = 0;  ///< bytes of the front telegram that read() has taken

@@ -10,8 +10,8 @@
 
 namespace fencepost::linux {
 
-/// A program that was kept from its inputs for so long says that its machine was busy: longer than a frame of most
-/// cameras lasts, so what was seen then has the wrong place.
+/// After a longer delay of its inputs a program reports that its machine was busy. It is longer than a frame of most
+/// cameras lasts, so blobs seen then have the wrong place.
 inline constexpr base::Duration kNotedDelay = base::milliseconds(30);
 
 /// Refilled for each wait, since descriptors come and go with their devices.

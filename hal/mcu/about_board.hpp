@@ -1,4 +1,4 @@
-// What an image says of its board to a program that reads its file: where its settings are.
+// The location of the board's settings, as an image states it for a program that reads its file.
 #pragma once
 
 #include <array>

@@ -9,8 +9,8 @@
 namespace fencepost::mcu {
 
 /// Holds N bytes, a power of two. Safe between one writer and one reader on the same core, one of which may interrupt
-/// the other: the indices run freely, each is written by one side only. Fences are for the compiler; one core sees its
-/// own stores in order.
+/// the other. The indices run freely, and each is written by one side only. Fences are for the compiler; one core sees
+/// its own stores in order.
 template <std::size_t N>
 class ByteRing {
   static_assert(N >= 2 && (N & (N - 1)) == 0 && N <= 0x8000, "indices wrap at 2^16");

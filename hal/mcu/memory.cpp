@@ -1,4 +1,4 @@
-// The C library's functions on memory, by words: newlib's small ones go byte by byte, and the loop copies frames of
+// The C library's functions on memory, by words. newlib's small ones go byte by byte, and the loop copies frames of
 // some 500 bytes each turn. Unaligned pieces fall back to bytes: a Cortex-M0 cannot read words there.
 #include <cstddef>
 #include <cstdint>

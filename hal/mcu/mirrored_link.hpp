@@ -12,18 +12,18 @@
 
 namespace fencepost::mcu {
 
-/// What MirroredLink needs of each: a ByteLink that says how much a write would take now; 0 while it is gone.
+/// Requirement of MirroredLink on both: a ByteLink that says how much a write would take now; 0 while it is gone.
 template <class T>
 concept RoomyLink = bus::ByteLink<T> && requires(const T& link) {
   { link.room() } -> std::same_as<std::size_t>;
 };
 
-/// Writes everything to both links. One of them is the primary: the one that received input last; initially, and
-/// whenever the optional one is gone, the fixed one. A write answers what the primary took, so the primary's
-/// back-pressure is the console's. The secondary gets whole lines while it has room for the longest line and misses the
-/// others: a program that has a port open and does not read it blocks nobody. A primary that has taken nothing for
-/// kWritesWithoutRoom writes becomes the secondary. Input comes from either link, but never from both within one line:
-/// the other link is not read until the line has ended, or its writer has been silent for kSilence reads.
+/// Writes everything to both links. One of them is the primary: the one that received input last. Initially, and
+/// whenever the optional one is gone, it is the fixed one. A write answers what the primary took, so the primary's
+/// back-pressure is the console's. The secondary gets whole lines while it has room for the longest line, and misses
+/// the others. So a program that has a port open and does not read it blocks nobody. A primary that has taken nothing
+/// for kWritesWithoutRoom writes becomes the secondary. Input comes from either link, but never from both within one
+/// line. The other link is not read until the line has ended, or its writer has been silent for kSilence reads.
 template <RoomyLink Fixed, RoomyLink Optional>
 class MirroredLink {
  public:

@@ -5,7 +5,7 @@
 
 namespace fencepost::mcu {
 
-/// What a register has to say at an address that the part's manual gives.
+/// The register at an address that the part's manual gives.
 inline volatile std::uint32_t& reg(std::uint32_t address) {
   return *reinterpret_cast<volatile std::uint32_t*>(static_cast<std::uintptr_t>(address));
 }

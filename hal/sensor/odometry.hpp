@@ -18,11 +18,11 @@ struct OdometrySample {
   friend constexpr bool operator==(const OdometrySample&, const OdometrySample&) = default;
 };
 
-/// What a car tells that has one encoder on its unsteered axle, and a steering angle or a gyro: no pose yet.
+/// Readings of a car with one encoder on its unsteered axle, and a steering angle or a gyro: no pose yet.
 struct CarSample {
   base::Time t;
   std::int32_t count = 0;                          ///< of the encoder, raw; wraps at 32 bits
-  std::optional<base::Radians> steering;           ///< as it was told, left positive
+  std::optional<base::Radians> steering;           ///< as it was reported, left positive
   std::optional<base::RadiansPerSecond> yaw_rate;  ///< as the gyro measures it, counter-clockwise positive
   friend constexpr bool operator==(const CarSample&, const CarSample&) = default;
 };

@@ -6,8 +6,8 @@
 
 namespace fencepost::port {
 
-/// Fill in: a timer that never goes back, wide enough never to wrap (64 bits, or a 32-bit counter and its overflows
-/// read together), converted to counts of 0.1 ms. It starts at zero and need not tell the time of day.
+/// Fill in: a timer that never goes back, converted to counts of 0.1 ms. It never wraps: 64 bits, or a 32-bit counter
+/// and its overflows read together. It starts at zero and need not tell the time of day.
 class BoardClock {
  public:
   [[nodiscard]] base::Time now() const { return {}; }

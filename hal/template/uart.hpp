@@ -10,8 +10,8 @@
 
 namespace fencepost::port {
 
-/// Fill in: set up pins, clock and 8N1 at `baud` in the constructor; the receive interrupt (or DMA) puts bytes into a
-/// ring of fixed size, the transmit interrupt takes them from another.
+/// Fill in: set up pins, clock and 8N1 at `baud` in the constructor. The receive interrupt (or DMA) puts bytes into a
+/// ring of fixed size; the transmit interrupt takes them from another.
 class Uart {
  public:
   explicit Uart(std::uint32_t baud) : baud_(baud) {}

@@ -12,12 +12,10 @@ namespace part = mcu::nrf52;
 
 inline constexpr std::uint32_t kSecondPort = 32;  // P1.00
 
-// To the interface chip, whose USB has a serial line.
-inline constexpr part::Pin kConsoleSends{6};
+inline constexpr part::Pin kConsoleSends{6};  // to the interface chip, whose USB has a serial line
 inline constexpr part::Pin kConsoleReceives{kSecondPort + 8};
-// Edge connector 19 and 20; the board's own sensors are on another bus.
-inline constexpr part::Pin kBusClock{26};
-inline constexpr part::Pin kBusData{kSecondPort + 0};
+inline constexpr part::Pin kBusClock{26};              // edge connector 19; the board's own sensors have another bus
+inline constexpr part::Pin kBusData{kSecondPort + 0};  // edge connector 20
 // A pixel shines where its row is high and its column low: five rows of five. Those of the first column are used.
 inline constexpr part::Pin kHeartbeatRow{21};  // the first
 inline constexpr part::Pin kHeldRow{19};       // the last

@@ -1,4 +1,4 @@
-// What differs between boards with an STM32F405: names, crystals, pins. Each board's is in its pins.hpp.
+// The names, crystals and pins in which boards with an STM32F405 differ. Each board's are in its pins.hpp.
 #pragma once
 
 #include <optional>

@@ -25,7 +25,7 @@ inline constexpr int kEncoderBits = 16;
 inline constexpr bool kOneLine = true;  ///< for a camera or a wheel base
 /// The controller keeps 0 to 7 for itself (RP2040 datasheet, IC_TAR).
 inline constexpr std::uint8_t kLowestAddress = 8;
-inline constexpr bool kMotors = true;
+inline constexpr bool kMotors = true;  ///< it drives two
 
 using Clock = mcu::rp2::TimerClock;
 using Link = mcu::rp2::Uart;

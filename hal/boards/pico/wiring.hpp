@@ -1,4 +1,4 @@
-// What differs between boards with an RP2040: names and pins. Each board's is in its pins.hpp.
+// The names and pins in which boards with an RP2040 differ. Each board's are in its pins.hpp.
 #pragma once
 
 #include <optional>

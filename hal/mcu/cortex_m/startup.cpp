@@ -74,7 +74,7 @@ void prepare_core() {
   asm volatile("cpsie i" ::: "memory");
 }
 
-// The core has loaded the stack pointer from the vector table; a boot loader that jumped here may not have, and may
+// The core has loaded the stack pointer from the vector table. A boot loader that jumped here may not have, and may
 // have been on its other stack.
 [[gnu::naked]] void reset_handler() {
   asm volatile(

@@ -14,8 +14,7 @@ namespace fencepost::mcu::cortex_m {
 
 using Handler = void (*)();
 
-/// Exceptions 1 to 15 are the core's own.
-inline constexpr std::uint32_t kFirstInterrupt = 16;
+inline constexpr std::uint32_t kFirstInterrupt = 16;  ///< exceptions 1 to 15 are the core's own
 inline constexpr std::uint32_t kSysTick = 15;
 
 template <std::size_t kInterrupts>

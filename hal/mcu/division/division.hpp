@@ -1,5 +1,5 @@
-// Division of integers by shifts and differences, for cores without an instruction for it where flash is short: a fifth
-// of the compiler's own in size. A step is one bit of the quotient, so small quotients are quick.
+// Division of integers by shifts and differences, for cores without an instruction for it where flash is short. It is a
+// fifth of the compiler's own in size. A step is one bit of the quotient, so small quotients are quick.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace fencepost::mcu::division {
 
-/// What the run-time ABI for the Arm Architecture, 4.3.1, wants in consecutive registers.
+/// The two results that the run-time ABI for the Arm Architecture, 4.3.1, wants in consecutive registers.
 template <std::integral Int>
 struct Divided {
   Int quotient = 0;

@@ -40,7 +40,7 @@ void Clock::tick() {
   ticks_ = ticks_ + 1;
 }
 
-// What went by since the last tick is added: right even while the tick after an overflow is still to come.
+// Adds the counts since the last tick: right even while the tick after an overflow is still to come.
 std::uint64_t Clock::counts() const {
   for (;;) {
     const std::uint32_t low = low_;

@@ -8,8 +8,8 @@
 
 namespace fencepost::mcu::gba {
 
-/// The BIOS answers interrupts: it saves r0-r3, r12 and lr on the interrupts' stack and calls `handler`, which clears
-/// the flags (take_interrupts) (GBATEK, BIOS interrupt handling).
+/// The BIOS answers interrupts: it saves r0-r3, r12 and lr on the interrupts' stack and calls `handler`. That clears
+/// the flags (take_interrupts). Source: GBATEK, BIOS interrupt handling.
 inline void start_interrupts(void (*handler)()) {
   reg16(kInterruptEnable) = 0;
   reg(kInterruptHandler) = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(handler));

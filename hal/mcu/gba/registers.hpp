@@ -19,6 +19,7 @@ inline constexpr std::uint32_t kVideoMemory = 0x0600'0000;     // written in 16 
 inline constexpr std::uint32_t kVideoPage = 0xA000;            // bytes from the first page to the second
 
 // Timers: Timer Registers; four, 4 bytes apart.
+
 inline constexpr std::uint32_t kTimerCount = 0x0400'0100;  // read: count; write: what it starts again from
 inline constexpr std::uint32_t kTimerControl = 0x0400'0102;
 inline constexpr std::uint32_t kTimerStride = 4;
@@ -50,7 +51,7 @@ inline constexpr std::uint32_t kInterruptFlags = 0x0400'0202;  // writing a bit 
 inline constexpr std::uint32_t kInterruptMaster = 0x0400'0208;
 inline constexpr std::uint16_t kInterruptTimer2 = 1U << 5;
 inline constexpr std::uint16_t kInterruptSerial = 1U << 7;
-inline constexpr std::uint32_t kBiosInterruptFlags = 0x0300'7FF8;  // what the BIOS's own waiting looks at
+inline constexpr std::uint32_t kBiosInterruptFlags = 0x0300'7FF8;  // read by the BIOS's own waiting
 inline constexpr std::uint32_t kInterruptHandler = 0x0300'7FFC;    // 32 bits: where the BIOS jumps, in ARM state
 
 // System Control: waits of the cartridge.

@@ -6,8 +6,8 @@
 namespace fencepost::mcu::gba {
 namespace {
 
-// Emulators and flash cartridges look for this word to know what kind of memory the cartridge has (GBATEK, Cart Backup
-// IDs); at a multiple of four.
+// Emulators and flash cartridges look for this word to know the cartridge's kind of memory; at a multiple of four.
+// Source: GBATEK, Cart Backup IDs.
 [[gnu::used, gnu::aligned(4)]] constexpr char kKind[] = "SRAM_V113";
 
 // While the cartridge's memory is being used, no instruction may be fetched from the cartridge: they share a bus. So

@@ -20,8 +20,8 @@ class Uart {
   base::Result<std::size_t> read(std::span<std::uint8_t> in) { return rings_.read(in); }
   base::Result<std::size_t> write(std::span<const std::uint8_t> out) { return rings_.write(out); }
 
-  /// From the serial interrupt, and from the clock's: what raises the former is described by nobody but GBATEK, and a
-  /// tick comes before four bytes can (11520 bytes a second, 4096 ticks). Empties and fills what the part holds.
+  /// From the serial interrupt, and from the clock's. Only GBATEK describes what raises the former. A tick comes before
+  /// four bytes can (11520 bytes a second, 4096 ticks). Empties and fills the part's buffers.
   void serve();
 
   [[nodiscard]] bool waiting() const { return rings_.waiting(); }

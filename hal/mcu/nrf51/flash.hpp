@@ -15,7 +15,7 @@ namespace fencepost::mcu::nrf51 {
 bool program_words(std::uint32_t address, std::span<const std::uint8_t> bytes);
 /// The page at its first address; false if the part did not get ready, or it is not empty.
 bool erase_page(std::uint32_t address, std::size_t size);
-/// What is there now.
+/// The bytes that are there now.
 std::span<const std::uint8_t> bytes_at(std::uint32_t address, std::size_t size);
 
 /// Pages 0 and 1 from `kFirst` on, of `kPage` bytes each. Not inlined: the smallest part's flash is short.
@@ -35,8 +35,8 @@ class TwoPages {
   static std::uint32_t address_of(std::size_t n) { return kFirst + kPage * static_cast<std::uint32_t>(n); }
 };
 
-/// The last two pages of 256 KB: the linker script leaves them free. The core stands still while the flash erases
-/// (23 ms a page) or writes (46 us a word; product specification, flash characteristics): the serial line overruns.
+/// The last two pages of 256 KB: the linker script leaves them free. The core stops while the flash erases (23 ms a
+/// page) or writes (46 us a word), and the serial line overruns. Source: product specification, flash characteristics.
 using Flash = TwoPages<0x0003'F800, kFlashPage>;
 static_assert(bus::FlashPages<Flash>);
 

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t kResetBySoftware = 1U << 2;
 inline constexpr std::uint32_t kResetByLockup = 1U << 3;  // a fault within a fault's handler
 
 // Serial line, chapter 29.
+
 inline constexpr std::uint32_t kUart = 0x4000'2000;
 inline constexpr std::uint32_t kUartStartReceiving = kUart + 0x000;
 inline constexpr std::uint32_t kUartStartSending = kUart + 0x008;
@@ -43,6 +44,7 @@ inline constexpr std::uint32_t kUartTxd = kUart + 0x51C;
 inline constexpr std::uint32_t kUartBaud = kUart + 0x524;
 
 // I2C master, chapter 28: offsets, since there are two of them.
+
 inline constexpr std::uint32_t kTwi0 = 0x4000'3000;
 inline constexpr std::uint32_t kTwiStartReading = 0x000;
 inline constexpr std::uint32_t kTwiStartWriting = 0x008;
@@ -78,6 +80,7 @@ inline constexpr std::uint32_t kTwiPower =
     0xFFC;  // of every peripheral, of this part alone; here by PAN 56 of the anomaly list
 
 // Timer 0, the one of 32 bits, chapter 18.
+
 inline constexpr std::uint32_t kTimer = 0x4000'8000;
 inline constexpr std::uint32_t kTimerStart = kTimer + 0x000;
 inline constexpr std::uint32_t kTimerCapture = kTimer + 0x040;  // four tasks, four bytes apart
@@ -91,6 +94,7 @@ inline constexpr std::uint32_t kTimer1MHz = 4;                  // 16 MHz / 2^4
 inline constexpr std::uint32_t kTimerCompare = kTimer + 0x540;  // four, likewise
 
 // Watchdog, chapter 20.
+
 inline constexpr std::uint32_t kWatchdog = 0x4001'0000;
 inline constexpr std::uint32_t kWatchdogStart = kWatchdog + 0x000;
 inline constexpr std::uint32_t kWatchdogReload = kWatchdog + 0x504;  // of 32768 Hz, less one
@@ -101,6 +105,7 @@ inline constexpr std::uint32_t kWatchdogFeed = kWatchdog + 0x600;  // RR[0], the
 inline constexpr std::uint32_t kWatchdogFood = 0x6E52'4635;
 
 // Flash controller, chapter 6.
+
 inline constexpr std::uint32_t kFlash = 0x4001'E000;
 inline constexpr std::uint32_t kFlashReady = kFlash + 0x400;
 inline constexpr std::uint32_t kFlashConfig = kFlash + 0x504;

@@ -8,10 +8,9 @@ namespace fencepost::mcu::nrf51 {
 namespace {
 
 constexpr std::uint32_t kMillisecond = 1'000;
-// Compare registers: one wakes, the others are read by the loop and by the interrupt, each its own.
-constexpr std::uint32_t kAlarm = 0;
-constexpr std::uint32_t kOfLoop = 1;
-constexpr std::uint32_t kOfInterrupt = 2;
+constexpr std::uint32_t kAlarm = 0;        // compare register that wakes
+constexpr std::uint32_t kOfLoop = 1;       // the one that the loop reads
+constexpr std::uint32_t kOfInterrupt = 2;  // the one that the interrupt reads
 
 std::uint32_t capture(std::uint32_t n) {
   reg(kTimerCapture + 4 * n) = kTrigger;

@@ -14,9 +14,9 @@
 namespace fencepost::mcu::nrf51 {
 
 /// `Registers`: read(offset), write(offset, value) of the master; restart(): off and on again, with the wires freed.
-/// Chapter 28 of the manual, and anomaly 56 of the nRF51822 (PAN): the master locks up when a byte arrives while the
-/// previous one is unread. So it is suspended after each byte; one that is stuck all the same, or whose device holds
-/// the clock, is switched off and on.
+/// Source: chapter 28 of the manual. By anomaly 56 of the nRF51822 (PAN) the master locks up when a byte arrives while
+/// the previous one is unread. So it is suspended after each byte. One that is stuck all the same, or whose device
+/// holds the clock, is switched off and on.
 template <class Registers>
 class TwiMaster {
  public:

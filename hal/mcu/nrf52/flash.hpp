@@ -7,8 +7,8 @@
 namespace fencepost::mcu::nrf52 {
 
 /// The last two pages of 512 KB: the linker script leaves them free. While the flash erases (85 ms a page) or writes
-/// (41 us a word; NVMC, electrical specification) the core stands still, but for what its cache holds: the serial line
-/// overruns.
+/// (41 us a word) the core stops, except for the contents of its cache. So the serial line overruns. Source: NVMC,
+/// electrical specification.
 using Flash = nrf51::TwoPages<0x0007'E000, kFlashPage>;
 static_assert(bus::FlashPages<Flash>);
 

@@ -1,4 +1,4 @@
-// What this part needs that the nRF51822 does not, before its peripherals are set up.
+// Start-up of this part that the nRF51822 does not need, before its peripherals are set up.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace fencepost::mcu::nrf52 {
 /// ended without a reset left them running.
 void start_part();
 
-/// The pin with this number resets the part: written to its configuration where nothing is there, which a mass erasure
-/// leaves behind, and then the part is reset. What somebody else has written stays.
+/// The pin with this number resets the part. It is written to the part's configuration where that is empty, as a mass
+/// erasure leaves it; then the part is reset. A value that somebody else has written stays.
 void connect_reset_pin(std::uint32_t number);
 
 }  // namespace fencepost::mcu::nrf52

@@ -10,7 +10,7 @@ namespace fencepost::mcu::rp2 {
 namespace {
 
 constexpr std::uint32_t kFirst = Flash::kAddress - kFlashBase;  // from the flash's begin
-constexpr std::size_t kChunk = 256;                             // what the flash is written by
+constexpr std::size_t kChunk = 256;                             // the flash is written by pages of this size
 constexpr std::uint32_t kEraseSector = 0x20;                    // its command
 
 using Erase = void(std::uint32_t offset, std::size_t count, std::uint32_t block, std::uint8_t command);

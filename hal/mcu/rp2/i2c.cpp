@@ -114,7 +114,7 @@ void I2c::on_interrupt() {
   command_more();
 }
 
-// What fits into the part's queue; no more reads than its other queue has room for.
+// Commands as much as fits into the part's queue; no more reads than its other queue has room for.
 void I2c::command_more() {
   const std::size_t all = written_ + expected_;
   const std::size_t answered = written_ + read_;

@@ -9,8 +9,8 @@
 
 namespace fencepost::mcu::rp2 {
 
-// Each register of a peripheral is there four times; a write to these two changes only the bits that are set in it,
-// in one access (2.1.2).
+// Each register of a peripheral is there four times. A write to these two copies changes only the bits that are set in
+// it, in one access (2.1.2).
 
 inline constexpr std::uint32_t kSetAlias = 0x2000;
 inline constexpr std::uint32_t kClearAlias = 0x3000;

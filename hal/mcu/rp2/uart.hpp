@@ -12,7 +12,7 @@
 
 namespace fencepost::mcu::rp2 {
 
-/// What the part and the board's wiring say of one line.
+/// One line, by the part and the board's wiring.
 struct UartWiring {
   std::uint32_t base = 0;
   std::uint32_t reset = 0;

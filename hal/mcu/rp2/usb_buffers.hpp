@@ -22,9 +22,8 @@ inline std::uint32_t buffer_control(std::uint32_t endpoint, Direction direction)
   return kUsbBufferControl + 8 * endpoint + 4 * direction;
 }
 
-// Endpoint 0 has its place (table 4.1.2.5.1), in and out share it; ours are behind.
-inline constexpr std::uint32_t kControlBuffer = 0x100;
-inline constexpr std::uint32_t kInBuffer = 0x180;
+inline constexpr std::uint32_t kControlBuffer = 0x100;  // of endpoint 0, both ways: fixed (table 4.1.2.5.1)
+inline constexpr std::uint32_t kInBuffer = 0x180;       // ours begin behind it
 inline constexpr std::uint32_t kOutBuffer = 0x1C0;
 inline constexpr std::uint32_t kNotifyBuffer = 0x200;
 
@@ -88,7 +87,7 @@ inline void fill(std::uint32_t endpoint, Direction direction, std::span<const st
   std::uint32_t to = buffer_of(endpoint, direction);
   for (const std::uint8_t byte : bytes) byte_of(to++) = byte;
 }
-/// Of what came.
+/// For each byte that came.
 template <class Take>
 void for_each_byte(std::uint32_t endpoint, Direction direction, Take&& take) {
   const std::uint32_t size = reg(buffer_control(endpoint, direction)) & kBufferLength;

@@ -1,4 +1,4 @@
-// What the board says of itself on USB: one serial line (USB CDC 1.2, PSTN 1.2: abstract control model).
+// The board's descriptors on USB: one serial line (USB CDC 1.2, PSTN 1.2: abstract control model).
 #pragma once
 
 #include <array>
@@ -52,6 +52,7 @@ inline constexpr std::array<std::uint8_t, 75> kConfiguration = {
 inline constexpr std::size_t kSerialIndexAt = 16;  // in the device's
 
 // Strings (9.6.7): the language; maker and product; serial number.
+
 inline constexpr std::array<std::uint8_t, 4> kLanguage = {4, 3, 0x09, 0x04};
 inline constexpr std::array<std::uint8_t, 20> kName = {20,  3, 'F', 0, 'e', 0, 'n', 0, 'c', 0,
                                                        'e', 0, 'p', 0, 'o', 0, 's', 0, 't', 0};
@@ -71,6 +72,7 @@ constexpr SerialNumber serial_number(std::uint64_t id) {
 }
 
 // Requests: USB 2.0 table 9-4; PSTN table 13.
+
 inline constexpr std::uint8_t kClearFeature = 1;
 inline constexpr std::uint8_t kSetAddress = 5;
 inline constexpr std::uint8_t kGetDescriptor = 6;

@@ -69,7 +69,7 @@ void UsbSerial::on_interrupt() {
   if ((what & ~kUsbTellSuspend) != 0) suspended_ = false;
   if ((what & kUsbTellResume) != 0) lower_bits(kUsbSieStatus, kUsbResumed);
   if ((what & kUsbTellFrame) != 0) begin_frame();
-  // What is done was done before a request that has come meanwhile: of the one before it.
+  // A buffer that is done belongs to the request before the one that has come meanwhile: it is taken first.
   take_buffers();
   if ((what & kUsbTellBusReset) != 0) bus_reset();
   if ((what & kUsbTellSetup) != 0) take_setup();
@@ -224,8 +224,7 @@ void UsbSerial::answer(std::span<const std::uint8_t> bytes, std::size_t wanted) 
   answer_more();
 }
 
-// A last packet that is full is followed by an empty one, unless the host knows how much there is: no answer here is a
-// multiple of 64.
+// A full last packet is followed by an empty one, unless the host knows the length. No answer here is a multiple of 64.
 void UsbSerial::answer_more() {
   const auto part = answer_.first(std::min<std::size_t>(answer_.size(), usb::kPacket));
   answer_ = answer_.subspan(part.size());

@@ -10,8 +10,8 @@ namespace fencepost::mcu::rp2 {
 
 // The boot loader on the USB disk starts a new program by the watchdog's timer, too: this word says that it was ours.
 // The ROM clears it then, and leaves it alone otherwise (RP2040 2.8.1.1, RP2350 5.2.4).
-inline constexpr std::uint32_t kArmedWord = kWatchdogScratch + 4 * 4;
-inline constexpr std::uint32_t kArmed = 0x66E6'CE05;
+inline constexpr std::uint32_t kArmedWord = kWatchdogScratch + 4 * 4;  // its address
+inline constexpr std::uint32_t kArmed = 0x66E6'CE05;                   // its value
 
 /// 0.4 s: shorter than a robot that hangs may drive on.
 inline constexpr std::uint32_t kWatchdogCount = 400'000 * kCountsPerMicrosecond;

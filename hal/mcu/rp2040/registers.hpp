@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kClockSysSelected = 0x4000'8044;
 inline constexpr std::uint32_t kClockPeriControl = 0x4000'8048;
 inline constexpr std::uint32_t kClockUsbControl = 0x4000'8054;
 inline constexpr std::uint32_t kClockUsbDivider = 0x4000'8058;
-inline constexpr std::uint32_t kClockSysResuscitate = 0x4000'8078;  // what to do when it stops
+inline constexpr std::uint32_t kClockSysResuscitate = 0x4000'8078;  // the remedy when it stops
 inline constexpr std::uint32_t kUndivided = 1U << 8;
 
 // Power-on state machine, 2.13.5: what a watchdog reset resets.

@@ -47,7 +47,7 @@ inline constexpr std::uint32_t kClockSysSelected = 0x4001'0044;
 inline constexpr std::uint32_t kClockPeriControl = 0x4001'0048;
 inline constexpr std::uint32_t kClockUsbControl = 0x4001'0060;
 inline constexpr std::uint32_t kClockUsbDivider = 0x4001'0064;
-inline constexpr std::uint32_t kClockSysResuscitate = 0x4001'0084;  // what to do when it stops
+inline constexpr std::uint32_t kClockSysResuscitate = 0x4001'0084;  // the remedy when it stops
 inline constexpr std::uint32_t kUndivided = 1U << 16;
 
 // Power-on state machine, 7.4.4: what a watchdog reset resets.

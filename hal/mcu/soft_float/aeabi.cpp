@@ -1,5 +1,5 @@
-// The compiler's names for float arithmetic (Run-time ABI for the Arm Architecture, 4.1.2), in place of its own
-// library; sums, products and order are in armv6m.cpp. Floats come and go in the same registers as integers do here.
+// Float arithmetic by the compiler's names, in place of its own library (Run-time ABI for the Arm Architecture, 4.1.2).
+// Sums, products and order are in armv6m.cpp. Floats come and go in the same registers as integers do here.
 #include <cstdint>
 
 #include "hal/mcu/soft_float/float32.hpp"

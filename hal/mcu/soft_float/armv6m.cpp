@@ -1,11 +1,10 @@
-// Sums, products and order of floats for an Armv6-M core: what both numbers normal give, in two thirds of the
-// instructions that a compiler needs for float32.hpp. Whatever is rare (zeros in products, denormals, infinities, NaNs,
-// results out of range, ties) goes there with the operands as they came. The same bits: tests/boards/soft_float runs
-// both.
+// Sums, products and order of normal floats for an Armv6-M core, in two thirds of the instructions that a compiler
+// needs for float32.hpp. Rare cases go there with the original operands: zeros in products, denormals, infinities,
+// NaNs, results out of range, ties. The same bits: tests/boards/soft_float runs both.
 //
-// Rounding: the significand is moved down with its highest lost bit into the carry, which the addition of exponent and
-// sign then adds; the significand's own leading one, too, belongs to the exponent. Bits lost behind that one matter for
-// ties only. 24 bytes of stack, which tests/boards/image_check.py knows.
+// Rounding: the significand is moved down with its highest lost bit into the carry. The addition of exponent and sign
+// then adds the carry; the significand's own leading one, too, belongs to the exponent. Bits lost behind the highest
+// matter for ties only. 24 bytes of stack, which tests/boards/image_check.py knows.
 #include "hal/mcu/soft_float/float32.hpp"
 
 namespace soft = fencepost::mcu::soft;
@@ -32,8 +31,8 @@ asm(R"(
   .endm
 )");
 
-// Ends with r0 = the significand, its leading one at bit `places` + 23 or left out, r3 = by how much the smaller number
-// was moved down, r6 = exponent and sign. Nothing was lost then if that is no more than 8.
+// Ends with r0 = the significand, its leading one at bit `places` + 23 or left out. r3 = the shift of the smaller
+// number. r6 = exponent and sign. Nothing was lost then if the shift is no more than 8.
 asm(R"(
   .macro return_sum places
   lsls r4, r0, #(33 - \places)    @ all bits behind the first lost one

@@ -1,6 +1,6 @@
-// IEEE 754 binary32 in integers, for cores without a float unit: rounded to nearest even, denormals and all, the same
-// bits as any float unit gives. Why not the compiler's: for cores without long multiplication and division (Cortex-M0)
-// that is three to eight times slower, and twice as large.
+// IEEE 754 binary32 in integers, for cores without a float unit. Rounded to nearest even, denormals included: the same
+// bits as any float unit gives. For cores without long multiplication and division (Cortex-M0) the compiler's is three
+// to eight times slower, and twice as large.
 #pragma once
 
 #include <array>
@@ -23,10 +23,9 @@ constexpr bool is_zero(Bits x) { return (x << 1) == 0; }
 /// Neither zero nor denormal nor infinite nor no number.
 constexpr bool is_normal(std::uint32_t exponent_of) { return exponent_of - 1 < 254; }
 
-/// A significand of 24 bits, or one that rounding has yet to shorten: three bits more, the last of them for all that
-/// was lost behind.
+/// Extra bits of a significand that rounding has yet to shorten from 24 bits. The last is set if anything was lost.
 inline constexpr int kGuards = 3;
-inline constexpr std::uint32_t kLeading = kHidden << kGuards;
+inline constexpr std::uint32_t kLeading = kHidden << kGuards;  ///< leading one of such a significand
 
 constexpr std::uint32_t round_guards(std::uint32_t significand) {
   return (significand + 3 + ((significand >> kGuards) & 1)) >> kGuards;
@@ -128,8 +127,8 @@ constexpr Bits subtract(Bits a, Bits b) { return add(a, b ^ kSign); }
 
 // --- multiplication ---
 
-/// Of two significands with the leading one at kHidden: the exact product's upper 32 of 48 bits, and in the last of
-/// them whether there was more.
+/// Of two significands with the leading one at kHidden: the exact product's upper 32 of 48 bits. The last of them is
+/// set if there was more.
 constexpr std::uint32_t upper_product(std::uint32_t m, std::uint32_t n) {
   const std::uint32_t m_high = m >> 8;
   const std::uint32_t n_high = n >> 8;
@@ -250,8 +249,8 @@ inline constexpr std::array<std::uint16_t, 96> kInverseRoots = [] {
   return table;
 }();
 
-/// floor(2^13 sqrt(m)) twice, and in the last bit whether there was more; m from 2^24 to 2^26. Newton's step on the
-/// inverse root, one on the root, then exact: the remainder of a root that is off by some fits into 32 bits.
+/// Twice floor(2^13 sqrt(m)); the last bit is set if there was more; m from 2^24 to 2^26. Newton's step on the inverse
+/// root, one on the root, then exact: the remainder of a root that is slightly off fits into 32 bits.
 constexpr std::uint32_t root_with_rest(std::uint32_t m) {
   std::uint32_t y = kInverseRoots[(m >> 19) - 32];
   const std::uint32_t upper = m >> 10;

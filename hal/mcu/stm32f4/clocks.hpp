@@ -19,11 +19,11 @@ struct Clocks {
 /// MHz of those that boards of a preset are sold with; a zero is none.
 using Crystals = std::array<std::uint8_t, 2>;
 
-/// From whatever state a boot loader or a debugger has left: no interrupt of its peripherals, no clock of its own.
-/// 168, 42 and 84 MHz by the PLL. Which of `crystals` it is, is
-/// measured: a preset on another board must not overclock it. Without one of these the PLL runs on the internal
-/// oscillator, within 1 % at room temperature and 4 % from -10 to 85 degrees (datasheet 5.3.9); a serial line bears 3.
-/// Where the PLL does not lock the part runs at 16 MHz, with correct baud rates.
+/// From whatever state a boot loader or a debugger has left: no interrupt of its peripherals, no clock of its own. 168,
+/// 42 and 84 MHz by the PLL. The crystal, one of `crystals`, is found by measurement: a preset on another board must
+/// not overclock it. Without one of these the PLL runs on the internal oscillator. That is within 1 % at room
+/// temperature and 4 % from -10 to 85 degrees (datasheet 5.3.9); a serial line bears 3. Where the PLL does not lock the
+/// part runs at 16 MHz, with correct baud rates.
 Clocks start_clocks(Crystals crystals);
 
 /// `bits` of one of the clock control's enable registers. The peripheral answers two cycles later (errata ES0182

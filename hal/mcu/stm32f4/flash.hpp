@@ -10,8 +10,8 @@
 namespace fencepost::mcu::stm32f4 {
 
 /// Sectors 1 and 2, 16 KB each (RM0090 table 5): the linker script leaves them free. The part cannot read its flash
-/// while it erases or programs: the loop stands still for up to 0.5 s, or 0.1 ms a word (datasheet, flash
-/// characteristics), and serial lines may overrun.
+/// while it erases or programs. So the loop stops for up to 0.5 s, or 0.1 ms a word (datasheet, flash characteristics),
+/// and serial lines may overrun.
 class Flash {
  public:
   static constexpr std::uint32_t kAddress = 0x0800'4000;  ///< of the first

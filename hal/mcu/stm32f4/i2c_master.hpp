@@ -14,9 +14,9 @@
 namespace fencepost::mcu::stm32f4 {
 
 /// `Registers`: read(offset), write(offset, value) of the master; restart(): reset and set up again, the wires freed.
-/// RM0090 27.3.3. Bytes are moved while the part stretches the clock with both its registers full or empty (BTF), so no
+/// RM0090 27.3.3. Bytes are moved while the part stretches the clock with both its registers full or empty (BTF). So no
 /// byte is late, however long another interrupt took. For the last two or three bytes acknowledge and stop have to be
-/// set during that stretch, or one byte too many is read; a single byte has none and is awaited by RXNE.
+/// set during that stretch, or one byte too many is read. A single byte has no stretch and is awaited by RXNE.
 template <class Registers>
 class I2cMaster {
  public:
@@ -65,8 +65,8 @@ class I2cMaster {
       write_on();
     }
   }
-  /// The error interrupt: nobody acknowledged, or the bus is disturbed. A bus error alone is none for a master, which
-  /// goes on (errata ES0182, "spurious bus error detection in master mode"); a true one ends by the time limit.
+  /// The error interrupt: nobody acknowledged, or the bus is disturbed. A bus error alone is no error for a master,
+  /// which goes on (errata ES0182, "spurious bus error detection in master mode"). A true one ends by the time limit.
   void on_error() {
     const std::uint32_t errors = registers_.read(kI2cStatus1) & kI2cErrors;
     registers_.write(kI2cStatus1, ~errors & 0xFFFFU);  // cleared by writing zero, the other bits do not mind

@@ -71,11 +71,12 @@ inline constexpr std::uint32_t kFlashSectorShift = 3;
 inline constexpr std::uint32_t kFlashByWords = 0x2U << 8;  // 32 bits a time: 2.7 to 3.6 V
 inline constexpr std::uint32_t kFlashStart = 1U << 16;
 inline constexpr std::uint32_t kFlashLock = 1U << 31;
-// 5 wait states at 168 MHz and 2.7 to 3.6 V (table 10), prefetch and both caches.
 inline constexpr std::uint32_t kFlashWaitMask = 0x7;
+// 5 wait states at 168 MHz and 2.7 to 3.6 V (table 10), prefetch and both caches.
 inline constexpr std::uint32_t kFlashAt168MHz = 5U | (1U << 8) | (1U << 9) | (1U << 10);
 
 // Ports, RM0090 8.4: 0x400 bytes each.
+
 inline constexpr std::uint32_t kPortA = 0x4002'0000;
 inline constexpr std::uint32_t kPortStride = 0x400;
 inline constexpr std::uint32_t kPortMode = 0x00;      // 8.4.1, two bits a pin
@@ -89,6 +90,7 @@ inline constexpr std::uint32_t kModeAlternate = 2;
 inline constexpr std::uint32_t kPullUp = 1;
 
 // Serial lines, RM0090 30.6.
+
 inline constexpr std::uint32_t kUsart1 = 0x4001'1000;
 inline constexpr std::uint32_t kUsart2 = 0x4000'4400;
 inline constexpr std::uint32_t kUsart3 = 0x4000'4800;
@@ -136,6 +138,7 @@ inline constexpr std::uint32_t kI2cBusError = 1U << 8;
 inline constexpr std::uint32_t kI2cBusy = 1U << 1;  // status 2
 
 // Timers, RM0090 18.4 (2 to 5) and 19.5 (11); as quadrature decoders 18.3.12.
+
 inline constexpr std::uint32_t kTimer2 = 0x4000'0000;
 inline constexpr std::uint32_t kTimer3 = 0x4000'0400;
 inline constexpr std::uint32_t kTimer4 = 0x4000'0800;
@@ -182,6 +185,7 @@ inline constexpr std::uint32_t kPowerStatus = 0x4000'7004;  // 5.4.2
 inline constexpr std::uint32_t kSupplyBelow = 1U << 2;
 
 // Interrupt numbers, RM0090 table 61.
+
 inline constexpr std::uint32_t kInterruptI2c1Event = 31;
 inline constexpr std::uint32_t kInterruptI2c1Error = 32;
 inline constexpr std::uint32_t kInterruptUsart1 = 37;

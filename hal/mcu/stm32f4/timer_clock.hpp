@@ -1,4 +1,4 @@
-// The robot's clock out of timer 2, which counts microseconds in 32 bits whatever the core does: it stands still while
+// The robot's clock out of timer 2, which counts microseconds in 32 bits whatever the core does. The core stops while
 // the flash is erased, and interrupts that count milliseconds would be missed.
 #pragma once
 
@@ -20,7 +20,7 @@ class TimerClock {
   [[nodiscard]] static std::uint32_t microseconds();
 
  private:
-  // What reading finds out about the counter, not a state of the clock.
+  // Found by reading the counter; no state of the clock.
   mutable std::uint32_t low_ = 0;
   mutable std::uint32_t high_ = 0;
 };
