@@ -64,7 +64,7 @@ struct Alert : fencepost_alert {
   Level level;  ///< as this header has it
 };
 
-/// What became of an input. All but kTaken changed nothing; fencepost.h says what they mean, text() in a sentence.
+/// The result of an input. All but kTaken changed nothing; fencepost.h explains them, and text() gives a sentence.
 enum class Answer : std::uint8_t { kTaken, kTime, kRange, kNoCamera, kUnknown, kNoRoom, kNull };
 inline const char* text(Answer answer) { return fencepost_answer_text(static_cast<fencepost_answer>(answer)); }
 
@@ -102,7 +102,7 @@ class Core {
   FENCEPOST_NODISCARD Answer set(const char* key, const char* value);
   /// The same with a number in the setting's unit. errors: unknown, range (also settings whose values are words)
   FENCEPOST_NODISCARD Answer set(const char* key, float value);
-  /// What sentences call a colour; at most 32 characters. errors: no room
+  /// The name of a colour in sentences; at most 32 characters. errors: no room
   FENCEPOST_NODISCARD Answer set_name(std::uint8_t signature, const char* name);
 
   /// `function(context, alert)` hears of each change of an alert, and of those that last again and again. It runs
@@ -114,7 +114,7 @@ class Core {
 
   /// Where the wheels say that the robot is, in a frame that stays; 20 to 100 times a second. errors: time, range
   FENCEPOST_NODISCARD Answer odometry(std::int64_t time, const Pose& pose);
-  /// What the camera saw, also if that is nothing; `time`: when its first byte came. errors: time, range, no camera
+  /// The boxes of one frame, also if there are none; `time`: when its first byte came. errors: time, range, no camera
   FENCEPOST_NODISCARD Answer boxes(std::int64_t time, const fencepost_box* first, std::size_t count);
   /// Time has passed: to be called in each turn, at least ten times a second. Without it a silent camera is not
   /// noticed.

@@ -1,4 +1,4 @@
-// What is behind the library's object: one robot's memory and pipeline, and who hears of it.
+// The state behind the library's object: one robot's memory and pipeline, and its listeners.
 #pragma once
 
 #include <array>
@@ -109,7 +109,7 @@ class State {
   loop::Memory<Profile> memory_;
   loop::Pipeline<Profile> pipeline_;
   loop::MotionPermit permit_;
-  base::Time now_;  ///< the latest that was told
+  base::Time now_;  ///< the latest that was given
   std::uint32_t frames_ = 0;
   LogFunction log_ = nullptr;
   void* log_context_ = nullptr;

@@ -29,7 +29,7 @@ class Keeper {
     remember();
   }
 
-  /// What has changed is written. False if the flash could not be written; that change is then not tried again.
+  /// Writes the changes. False if the flash could not be written; those changes are then not tried again.
   bool keep() {
     const loop::Memory<Profile>& memory = pipeline_.memory();
     if (memory.devices == devices_ && memory.settings == settings_ && memory.calibration.intrinsics == camera_ &&
@@ -70,8 +70,7 @@ class Keeper {
     return {config::info(key).name, pipeline_.memory().devices.text(key)};
   }
 
-  // What has changed since the last time, together or not at all, behind what is there; in a full page, all of it anew
-  // in the other.
+  // Appends all changes since the last time, or none. If the page is full, it writes all settings anew into the other.
   [[gnu::noinline]] bool write_changes() {
     Line line{};
     const auto tell = [&](bool all) { return [this, &line, all](auto& put) { write(line, put, all); }; };

@@ -29,7 +29,7 @@ class OdometryChoice {
     return bits;
   }();
 
-  /// One that is contained. A base that drives is told to stand before it is left.
+  /// Opens one that is contained. A base that drives is stopped before it is left.
   [[gnu::noinline]] void open(const Opening& opening, base::Time now) {
     driver_.visit([now](auto& driver) {
       if constexpr (requires { driver.session().stand(); }) {

@@ -26,7 +26,7 @@ class OneOf {
                               std::forward<Arguments>(arguments)...);
   }
 
-  /// What `use(object)` answers, of whichever is there.
+  /// Returns `use(object)` of the object that is held.
   template <class Use>
   decltype(auto) visit(Use&& use) {
     return visit_from<0, Types...>(bytes_.data(), use);

@@ -1,4 +1,4 @@
-// What a driver may want to know when it is opened.
+// The data that a driver may need when it is opened.
 #pragma once
 
 #include <span>

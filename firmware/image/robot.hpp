@@ -31,7 +31,7 @@ using Console = std::remove_reference_t<decltype(board::console())>;
 // NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
 const record::Header kHeader = {record::kStreamFormat, kProduct, FENCEPOST_VERSION, board::kTarget, Profile::kName};
 
-/// What `set` chooses from, and with what this image begins.
+/// The devices with which this image begins.
 constexpr config::Devices initial_devices() {
   constexpr config::CameraId kCamera = config::camera_named(FENCEPOST_CAMERA);
   constexpr config::OdometryId kOdometry = config::odometry_named(FENCEPOST_ODOMETRY);

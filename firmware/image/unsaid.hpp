@@ -1,4 +1,4 @@
-// What a board's board.hpp need not say.
+// Defaults of what a board's board.hpp may leave out.
 #pragma once
 
 #include <cstdint>

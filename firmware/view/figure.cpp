@@ -29,7 +29,7 @@ class Corners {
  private:
   static constexpr float kTouches = 1e-4F;  // m
 
-  // What the next side leaves no edge of.
+  // Removes the sides of which the next side leaves no edge.
   void trim(std::size_t next) {
     while (size() > 1 && beyond(next, meet(end_ - 2))) --end_;
     while (size() > 1 && beyond(next, meet(begin_))) ++begin_;

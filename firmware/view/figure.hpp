@@ -20,7 +20,7 @@ struct Figure {
   void paint(Row& row) const;
 };
 
-/// What is too small to be seen becomes a small disc.
+/// A shape that is too small to be seen becomes a small disc.
 Figure make_figure(const console::MapShape& shape, std::size_t slot, const Window& window);
 
 /// An arrow head of fixed size: a robot in scale would often be a dot.

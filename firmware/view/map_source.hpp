@@ -1,4 +1,4 @@
-// What the view asks of the robot's loop: nothing else of it is known here.
+// The interface of the robot's loop for the view, which knows nothing else of it.
 #pragma once
 
 #include <concepts>

@@ -28,7 +28,7 @@ inline constexpr bus::Colour kFixedColours[] = {
     {248, 248, 248},
     {0, 0, 0},
     {0, 0, 0},
-    // clear, notice, warn, stop: told apart without colour by the word, and by how bright they are
+    // clear, notice, warn, stop: without colour, the word and the brightness distinguish them
     {40, 160, 88},
     {72, 152, 240},
     {248, 176, 24},

@@ -1,4 +1,4 @@
-// What a picture consists of, painted row by row: there is no room for a second picture beside the screen's own.
+// The shapes of a picture. They are painted row by row, for there is no room for a second picture beside the screen's.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,8 @@ struct Window {
   }
 };
 
-/// What shows all of `extent` at the finest scale; a whole number of pixels from the origin, so that nothing trembles.
+/// The window that shows all of `extent` at the finest scale. It is a whole number of pixels from the origin, so that
+/// nothing jitters.
 inline Window window_of(const console::MapExtent& extent) {
   Window window;
   const std::int32_t larger = std::max(extent.width(), extent.height());

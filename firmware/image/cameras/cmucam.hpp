@@ -1,5 +1,5 @@
-// The cameras `cmucam1` to `cmucam4` on a serial line. They are told the colours that the robot was told ($FPSIG), or
-// else those of firmware/config/colours.hpp.
+// The cameras `cmucam1` to `cmucam4` on a serial line. They get the colours that are configured on the robot ($FPSIG),
+// or else those of firmware/config/colours.hpp.
 #pragma once
 
 #include <array>

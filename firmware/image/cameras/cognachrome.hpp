@@ -1,4 +1,4 @@
-// The camera `cognachrome`, at 38400 baud: its monitor begins at 9600, and was told `baud 38400`.
+// The camera `cognachrome`, at 38400 baud. Its monitor begins at 9600 until the user types `baud 38400`.
 #pragma once
 
 #include <array>

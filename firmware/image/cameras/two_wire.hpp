@@ -1,4 +1,4 @@
-// What cameras share whose driver speaks on a byte link and which are on the two-wire bus.
+// The common part of cameras on the two-wire bus whose driver needs a byte link.
 #pragma once
 
 #include <cstdint>
