@@ -87,7 +87,7 @@ std::string calibration_json(const Calibration& calibration) {
   for (const Finding& finding : calibration.findings) {
     nlohmann::ordered_json entry = {{"unit", finding.unit},
                                     {"observed", finding.observed},
-                                    {"told", rounded(finding.told, kDecimals)},
+                                    {"configured", rounded(finding.told, kDecimals)},
                                     {"found", nullptr},
                                     {"sigma", nullptr},
                                     {"motion", nullptr}};

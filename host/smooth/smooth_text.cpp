@@ -84,7 +84,7 @@ Json findings_json(const Smoothed& smoothed) {
   for (const Finding& finding : smoothed.findings) {
     parameters[std::string(finding.key)] = {
         {"unit", finding.unit},
-        {"told", rounded(finding.told, kDecimals)},
+        {"configured", rounded(finding.told, kDecimals)},
         {"found", finding.held ? Json(nullptr) : rounded(finding.found, kDecimals)},
         {"sigma", finding.held ? Json(nullptr) : rounded(finding.sigma, kDecimals)}};
   }
