@@ -79,7 +79,8 @@ std::string dots(const Frame& frame, const std::vector<Point>& points, const Ext
 std::string map_panel(const Calibration& calibration, const Extent& extent, bool after) {
   const double span = std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y);
   const Frame frame{after ? 2 * kGap + kSide : kGap, kGap, kSide / span, extent.low};
-  std::string out = text_at(frame.left, kGap - 12, after ? "after: feet on the floor, as found" : "before: as told");
+  std::string out =
+      text_at(frame.left, kGap - 12, after ? "after: feet on the floor, as found" : "before: as configured");
   out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
                      px(frame.left), px(kGap), px(kSide), px(kSide));
   out += polyline(frame, after ? calibration.way_after : calibration.way_before,

@@ -18,7 +18,7 @@ constexpr double kDegrees = 57.29577951308232;
 std::string number(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
 
 std::string row_of(const Finding& finding) {
-  const std::string found = finding.held ? "not told" : number(finding.found, finding.decimals);
+  const std::string found = finding.held ? "not found" : number(finding.found, finding.decimals);
   const std::string sigma = finding.held ? "" : number(finding.sigma, finding.decimals);
   return fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told, finding.decimals), found,
                      sigma, finding.unit);
@@ -73,11 +73,11 @@ std::string calibration_text(const Calibration& calibration, const std::string& 
   std::string text = fmt::format("{}: {} frames, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
                                  printable(log_name), calibration.frames, calibration.objects.size(),
                                  calibration.seconds, calibration.driven, calibration.turned * kDegrees);
-  text += fmt::format("{:<18}{:>10}{:>11}{:>10}\n", "", "told", "found", "+-");
+  text += fmt::format("{:<18}{:>10}{:>11}{:>10}\n", "", "configured", "found", "+-");
   for (const Finding& finding : calibration.findings) text += row_of(finding);
   text += residual_rows(calibration);
-  text += missing(calibration, true, "Not told by this log, and left as it was");
-  text += missing(calibration, false, "Hardly told by this log, and mostly what was told before");
+  text += missing(calibration, true, "Not found from this log, and left as configured");
+  text += missing(calibration, false, "Hardly known from this log, and mostly as configured");
   return text + "\n" + camera_line(calibration.found);
 }
 

@@ -24,7 +24,7 @@ Rows console() {
                              return std::make_unique<host::ConsoleCamera>();
                            },
                            [](const DeviceSpec&) { return std::optional<sensor::CameraIntrinsics>(); },
-                           "told: by `$FPCAM`"}),
+                           "given: by `$FPCAM`"}),
           row(Role::kOdometry, "`$FPODO` lines on the console",
               OdometryDriver{[](const Opening&) -> std::unique_ptr<host::OdometryDevice> {
                 return std::make_unique<host::ConsoleOdometry>();

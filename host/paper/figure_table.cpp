@@ -100,7 +100,7 @@ void claim(const PaperData& data, PaperFigure& fig) {
     fig.say(std::string(algorithm.key), near,
             fmt::format("{}, {} % in the paper{}", text, figure(*algorithm.paper_average, 2),
                         near && !above ? ": less, but not by more than that error." : "."),
-            " A landmark that is carved away, or too large to be told from others, is not found.");
+            " A landmark that is carved away, or too large to be distinct from others, is not found.");
   }
   if (of_the_paper.size() == 3) {
     const bool all_equal = of_the_paper[0] == of_the_paper[1] && of_the_paper[1] == of_the_paper[2];

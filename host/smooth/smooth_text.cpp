@@ -45,11 +45,11 @@ std::string what_was_done(const Smoothed& smoothed) {
 
 std::string calibration_rows(const Smoothed& smoothed) {
   if (smoothed.findings.empty()) return "";
-  std::string text = fmt::format("\n{:<18}{:>10}{:>11}{:>10}\n", "", "told", "found", "+-");
+  std::string text = fmt::format("\n{:<18}{:>10}{:>11}{:>10}\n", "", "configured", "found", "+-");
   for (const Finding& finding : smoothed.findings) {
     const auto number = [&](double value) { return fmt::format("{:.{}f}", value, finding.decimals); };
     text += fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told),
-                        finding.held ? "not told" : number(finding.found), finding.held ? "" : number(finding.sigma),
+                        finding.held ? "not found" : number(finding.found), finding.held ? "" : number(finding.sigma),
                         finding.unit);
   }
   return text;

@@ -119,7 +119,7 @@ Exit run_calibrate(const CalibrateRequest& request) {
   if (outcome.calibration->complete()) return Exit::kDone;
   for (const Finding& finding : outcome.calibration->findings) {
     if (finding.observed || !finding.essential) continue;
-    say(fmt::format("{} is not told by this log and stays as it was: {}", finding.label, finding.motion));
+    say(fmt::format("{} is not found from this log and stays as configured: {}", finding.label, finding.motion));
   }
   return Exit::kCheckFailed;
 }

@@ -208,7 +208,7 @@ TEST(Catalogue, EveryLensHasItsSource) {
     const std::string& source = *std::get<CameraDriver>((*row->live)->driver).lens;
     const std::string kind = source.substr(0, source.find(": "));
     if (!nominal) {
-      EXPECT_EQ(kind, "told") << *row->name;
+      EXPECT_EQ(kind, "given") << *row->name;
       continue;
     }
     ++lenses;

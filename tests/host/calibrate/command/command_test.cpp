@@ -91,8 +91,8 @@ TEST(CalibrateCommand, WhatALogCannotTellIsNamedAndIsStatusOne) {
   spill(folder.path() / "run.log", drive(test::Motion::kSpin));
   const Outcome run = shell(folder, "fencepost calibrate run.log");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("yaw is not told by this log"), std::string::npos) << run.err;
-  EXPECT_NE(run.out.find("not told"), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("yaw is not found from this log"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("not found"), std::string::npos) << run.out;
 }
 
 // A car's readings become poses as they do on the robot.
