@@ -2,7 +2,7 @@
 """usage: package.py SOURCE_FOLDER OUT_FOLDER [--from-source]
 
 Writes Fencepost-VERSION.zip, the library for Arduino and PlatformIO: the core's sources, one file a room, so that they
-compile within a minute; and, unless --from-source, what they are compiled to for the Cortex-M0+, M4, M7 and M33.
+compile within a minute. Unless --from-source, it also has them compiled for the Cortex-M0+, M4, M7 and M33.
 """
 
 import os
@@ -49,7 +49,7 @@ def sources_of(root):
     for layer in ("hal", "drivers", "firmware"):
         for path in (root / layer).rglob("*.cpp"):
             if path.is_relative_to(root / "hal/mcu"):
-                continue  # what a board's own start-up brings along
+                continue  # a board has a start-up of its own
             match = INCLUDE.search(path.read_text(encoding="utf-8"))
             if match:
                 first_include.setdefault(match.group(1), []).append(path.relative_to(root).as_posix())

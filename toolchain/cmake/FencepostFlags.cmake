@@ -32,8 +32,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # Eigen's vector reductions add in another order; one definition for every translation unit that sees Eigen.
 target_compile_definitions(fencepost_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_NO_MALLOC EIGEN_MPL2_ONLY)
-# In folders that have FENCEPOST_FEWER_CHECKS (host, tests) without those checks that the address sanitizer's traps or the
-# boards make as well: a quarter of what both sanitizers make a build cost.
+# Folders with FENCEPOST_FEWER_CHECKS (host, tests) lack those checks that the address sanitizer's traps or the boards
+# make as well. They are a quarter of what both sanitizers make a build cost.
 define_property(TARGET PROPERTY FENCEPOST_FEWER_CHECKS INHERITED)
 if(FENCEPOST_SANITIZE)
   target_compile_options(fencepost_flags INTERFACE -fsanitize=${FENCEPOST_SANITIZE} -fno-sanitize-recover=all
@@ -46,8 +46,9 @@ if(FENCEPOST_SANITIZE)
       $<$<BOOL:$<TARGET_PROPERTY:FENCEPOST_FEWER_CHECKS>>:-fno-sanitize=${fewer}>)
   endif()
 endif()
-# A build of tests without them traps most of what the undefined-behaviour sanitizer reports, and what leaves a container
-# of the standard library; without a message, but it costs little. Not in folders that turn FENCEPOST_TRAPS off.
+# A build of tests without them traps most of what the undefined-behaviour sanitizer reports, and accesses outside a
+# container of the standard library. There is no message, but it costs little. Not in folders that turn FENCEPOST_TRAPS
+# off.
 define_property(TARGET PROPERTY FENCEPOST_TRAPS INHERITED)
 if(FENCEPOST_QUICK AND NOT FENCEPOST_SANITIZE)
   set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY FENCEPOST_TRAPS ON)

@@ -1,4 +1,4 @@
-# What reads, filters and draws images on the desk: PNG, and two modules of OpenCV.
+# Libraries that read, filter and draw images on the desk: PNG, and two modules of OpenCV.
 find_package(PNG REQUIRED)
 
 # Not find_package: Debian has OpenCV's CMake files only in the package of all its modules, which brings half a desktop.

@@ -52,7 +52,8 @@ C and C++: odometry and boxes in, alerts, objects and outlines out. Other
 languages load the shared one. Replay at the desk is another, which needs the
 packages that this one suggests.")
 
-# What Debian's policy asks for in /usr/share/doc. The changelog's day is that of the commit, or of SOURCE_DATE_EPOCH.
+# The files that Debian's policy asks for in /usr/share/doc. The changelog's day is that of the commit, or of
+# SOURCE_DATE_EPOCH.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   execute_process(COMMAND git -C "${PROJECT_SOURCE_DIR}" log -1 --format=%cd --date=format:%s
     OUTPUT_VARIABLE seconds OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

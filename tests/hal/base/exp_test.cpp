@@ -10,7 +10,7 @@
 namespace fencepost::base {
 namespace {
 
-// What exp.hpp promises; the reference is the C library's function in double.
+// The bound that exp.hpp promises; the reference is the C library's function in double.
 TEST(ExpMinus, HoldsItsBound) {
   double worst = 0;
   for (int i = 0; i < 2'400'000; ++i) {

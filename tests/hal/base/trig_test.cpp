@@ -13,8 +13,8 @@ namespace fencepost::base {
 namespace {
 
 // The bounds that trig.hpp promises; the references are the C library's functions in double.
-constexpr double kSinCosBound = 9e-8;
-constexpr double kAtan2Bound = 4e-7;
+constexpr double kSinCosBound = 9e-8;  // of each component
+constexpr double kAtan2Bound = 4e-7;   // rad
 
 double sincos_error(std::int64_t microradians) {
   const SinCos got = sincos_urad(microradians);

@@ -1,4 +1,4 @@
-// What a board's pins may be used for, from the tables beside this, and what is wrong with a use of them.
+// The permitted uses of a board's pins, from the tables beside this, and the faults of a use of them.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ struct PinUse {
   /// The part's peripheral and its signal, "USART2_TX"; none if the program drives or reads the pin by itself.
   std::string signal = {};
   unsigned function = 0;
-  /// What the board itself has there, where that is meant: "led".
+  /// The board's own part at the pin, where that is meant: "led".
   std::string meant = {};
   /// Of two uses in the same group, one image has one.
   std::string group = {};

@@ -1,4 +1,4 @@
-// What SPI and I2C ask of the kernel, and make of its answers; a kernel itself is asked in tests/guest.
+// The requests of SPI and I2C to the kernel, and their use of its answers; tests/guest asks a kernel itself.
 #include <gtest/gtest.h>
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>

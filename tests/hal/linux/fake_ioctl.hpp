@@ -6,7 +6,7 @@
 
 namespace fencepost::test {
 
-/// What an ioctl answers: 0 or more, or minus an errno. Empty: the kernel is asked.
+/// The answer of an ioctl: 0 or more, or minus an errno. Empty: the kernel is asked.
 using IoctlAnswer = std::function<std::optional<int>(unsigned long request, void* argument)>;
 
 /// While it lives. One thread at a time may set it; any may ask.

@@ -1,4 +1,4 @@
-// libusb without USB: one present device that accepts transfers and completes none that it is not told to; and the
+// libusb without USB: one present device that accepts transfers and completes only those of its script. It also has the
 // hangs of the real library.
 #pragma once
 
@@ -35,9 +35,9 @@ struct FakeLibusb {
   std::atomic<int> packet = 64;        ///< bytes
   std::atomic<int> resets = 0;
   std::atomic<int> halts_cleared = 0;
-  std::atomic<int> event = 0;  ///< of hotplug, told once
+  std::atomic<int> event = 0;  ///< of hotplug, reported once
 
-  // What the device does with the next transfers, under the lock.
+  // The device's treatment of the next transfers, under the lock.
   struct Read {
     int status = 0;  ///< a libusb_transfer_status
     std::vector<std::uint8_t> bytes;
@@ -45,7 +45,7 @@ struct FakeLibusb {
   std::mutex mutex;
   std::deque<Read> reads;                        ///< each ends one transfer of the input
   std::deque<int> write_statuses;                ///< each ends one of the output
-  std::vector<std::vector<std::uint8_t>> heard;  ///< what completed outputs carried
+  std::vector<std::vector<std::uint8_t>> heard;  ///< contents of completed outputs
   std::string serial = "0016530A1B2C";
 
   /// As it begins; call it where nothing runs.

@@ -59,7 +59,7 @@ class FarEnd {
   void say(std::string_view text) {
     ASSERT_EQ(::write(master_.get(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
   }
-  /// What came so far, at most a buffer full.
+  /// The bytes that came so far, at most a buffer full.
   std::string heard() {
     pollfd wait{master_.get(), POLLIN, 0};
     if (::poll(&wait, 1, 1000) <= 0) return {};

@@ -1,4 +1,4 @@
-// What drivers of serial lines do that no pseudo-terminal does.
+// Behaviour of serial lines' drivers that no pseudo-terminal has.
 #include "hal/linux/tty_line.hpp"
 
 #include <asm/ioctls.h>
@@ -27,7 +27,7 @@ AssertionResult has(const std::string& text, std::string_view part) {
 
 class TtyLine : public testing::Test {
  protected:
-  /// A line whose driver makes `actual` of each baud, and keeps `flags` of what it is told.
+  /// A line whose driver makes `actual` of each baud, and keeps `flags` of the request.
   auto makes(std::uint32_t actual, tcflag_t flags = CS8) {
     return [this, actual, flags](unsigned long request, void* argument) -> std::optional<int> {
       if (request == TCSETS2) told_ = *static_cast<const termios2*>(argument);

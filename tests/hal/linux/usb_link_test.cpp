@@ -1,4 +1,4 @@
-// What a USB link does with what the device answers, and refuses; libusb is the test's own.
+// A USB link's handling of a device's answers and refusals; libusb is the test's own.
 #include "hal/linux/usb_link.hpp"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ TYPED_TEST(Division, AtTheEndsOfTheRange) {
   }
 }
 
-// What the ABI leaves open, and the language, too: it must only come to an end.
+// The ABI leaves this open, and so does the language: it must only come to an end.
 TYPED_TEST(Division, ByZeroEnds) {
   EXPECT_EQ(divide(TypeParam{7}, TypeParam{0}).quotient, TypeParam{0});
   EXPECT_EQ(divide(TypeParam{7}, TypeParam{0}).remainder, TypeParam{7});

@@ -1,5 +1,5 @@
-// Requirements on every I2C master, independent of the part. A master's own tests supply the part:
-// `Bench` has the master, the part it talks to, `settle()` until nothing more happens, and whether the part's
+// Requirements on every I2C master, independent of the part. A master's own tests supply the part. `Bench` has the
+// master, the part it talks to, and `settle()`, which runs until nothing more happens. It also says whether the part's
 // interrupts are still on.
 #pragma once
 
@@ -16,10 +16,10 @@ namespace fencepost::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What a part has of the device behind it, and what a bench counts.
+/// The device behind a part, as the part sees it, and a bench's counters.
 struct I2cDevice {
   std::uint8_t device = 0x54;   ///< its address
-  Bytes answers;                ///< what it gives, byte by byte
+  Bytes answers;                ///< read from it, byte by byte
   std::size_t refuses_at = 99;  ///< it does not acknowledge this byte of a write
   bool holds_clock = false;     ///< nothing goes on
 

@@ -40,7 +40,7 @@ struct MirroredLinkTest : ::testing::Test {
   Port usb;
   MirroredLink<Port, Port> link{uart, usb};
 
-  /// What the link took; -1 if nothing.
+  /// Number of bytes that the link took; -1 if none.
   int say(std::string_view text) {
     const auto taken = link.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     return taken ? static_cast<int>(*taken) : -1;

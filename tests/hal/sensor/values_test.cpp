@@ -1,4 +1,4 @@
-// What a value of the seams is equal to, and what its words are.
+// Equality of the seams' values, and their words.
 #include <gtest/gtest.h>
 
 #include "hal/bus/screen.hpp"

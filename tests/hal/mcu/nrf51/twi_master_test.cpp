@@ -128,7 +128,7 @@ class TwiBench : public ::testing::Test {
   TwiMaster<Wires> master{Wires{&part}};
 };
 
-// Switching a master's interrupts off does not take back one that the core was already told of.
+// Switching a master's interrupts off does not take back one that is already pending in the core.
 TEST_F(TwiBench, AnInterruptThatWasPendingDoesNotEndWhatWasAbandoned) {
   part.answers = {7, 8};
   ASSERT_TRUE(master.begin(part.device, {}, 1));

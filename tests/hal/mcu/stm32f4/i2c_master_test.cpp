@@ -1,5 +1,5 @@
-// The I2C master of the STM32F405, with the part simulated after chapter 27.3.3 of its manual: when each bit is set,
-// what clears it, and which byte the acknowledge is for. No emulator has this bus.
+// The I2C master of the STM32F405, with the part simulated after chapter 27.3.3 of its manual. That says when each bit
+// is set, what clears it, and which byte the acknowledge is for. No emulator has this bus.
 #include "hal/mcu/stm32f4/i2c_master.hpp"
 
 #include <gtest/gtest.h>
@@ -242,7 +242,7 @@ TEST_F(I2cMasterTest, WaitsForTheRepeatedStart) {
   EXPECT_EQ(in[2], 3);
 }
 
-// What was read is good; but the next start has to wait for this stop, and not indefinitely.
+// The bytes that were read are good; but the next start has to wait for this stop, and not indefinitely.
 TEST_F(I2cMasterTest, WaitsForTheStopAndNotForEver) {
   part.answers = {9};
   part.stop_hangs = true;
