@@ -31,7 +31,7 @@ struct Column {
   std::string_view unit;
 };
 
-/// What has to be reached, as rms. The focal length as a share.
+/// The maximum error of a number, as rms. The focal length is a share.
 struct Target {
   std::string_view key;
   double most;
@@ -64,8 +64,7 @@ bool judge(const Request& request, const Columns& columns, unsigned logs) {
     const Column& column = columns.at(target.key);
     const double rms = std::sqrt(column.square / static_cast<double>(std::max<std::size_t>(1, column.n)));
     const double share = static_cast<double>(column.covered) / static_cast<double>(std::max<std::size_t>(1, column.n));
-    // A handful of logs says nothing of coverage.
-    constexpr unsigned kEnough = 100;
+    constexpr unsigned kEnough = 100;  // logs; fewer say nothing of coverage
     const bool honest = logs < kEnough || (share >= kMinCovered && share <= kMaxCovered);
     if (column.n == logs && rms <= target.most * request.most && honest) continue;
     fmt::print(stderr, "calibration_study: {}: {} of {} logs, rms {:.4f} (allowed {:.4f}), {:.1f} % covered\n",
@@ -97,14 +96,15 @@ bool run(const Request& request) {
     for (const host::Finding& finding : outcome.calibration->findings) {
       add(drive, finding, columns);
       if (!request.verbose) continue;
-      print(fmt::format("{} {} true {:.3f} told {:.3f} found {:.3f} +- {:.3f}{}\n", options.seed, finding.key,
+      print(fmt::format("{} {} true {:.3f} configured {:.3f} found {:.3f} +- {:.3f}{}\n", options.seed, finding.key,
                         true_value(drive, finding.key), finding.told, finding.found, finding.sigma,
-                        finding.observed ? "" : " not told"));
+                        finding.observed ? "" : " not observed"));
     }
   }
   print(fmt::format("{} logs from seed {}, {} refused\n\n", request.seeds.scenes, request.seeds.first, refused));
   print(
-      "| number | logs | told, rms | found, rms | found, mean | stated sigma | 95 % intervals that have the truth |\n");
+      "| number | logs | configured, rms | found, rms | found, mean | stated sigma | 95 % intervals that have the "
+      "truth |\n");
   print("|---|---|---|---|---|---|---|\n");
   for (const auto& [key, column] : columns) {
     const double n = static_cast<double>(std::max<std::size_t>(1, column.n));

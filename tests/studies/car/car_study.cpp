@@ -21,14 +21,14 @@ namespace {
 
 constexpr double kWheelbase = 0.17;  // m
 constexpr double kCounts = 2046;     // a metre: 360 a turn of a LEGO wheel of 56 mm
-/// What a car's map may be worse by than that of a robot with two encoders on the same path.
+/// Maximum ratio of the R+P of a car's map to that of a robot with two encoders on the same path.
 constexpr double kAllowed = 1.2;
 
 struct Request {
   Seeds seeds{20, 7101};
   int laps = 3;
   std::string correct;            ///< correct.pose; empty: as delivered
-  std::optional<double> width{};  ///< m, that the robot is told of the pillars; nothing: as the scene has it
+  std::optional<double> width{};  ///< m, the pillars' configured width; nothing: as the scene has it
   bool blind_pitch = false;       ///< the camera's pitch is unknown: no range from rows
 };
 
@@ -41,8 +41,8 @@ struct Robot {
 };
 
 /// Errors of odometry that was calibrated: half a per cent of the way. Two encoders: the track to 0.5 % of a lap's turn
-/// (0.8 rad/m on this path); a gyro as MPU-6050 modules are, to 0.3 %; a linkage with 1 degree of play, told to 0.2
-/// degrees and 1 %.
+/// (0.8 rad/m on this path). A gyro as MPU-6050 modules are: to 0.3 %. A linkage with 1 degree of play: to 0.2 degrees
+/// and 1 %.
 std::vector<Robot> robots() {
   host::SceneNoise none;
   none.edge_px = 1;
@@ -173,7 +173,7 @@ void options(CLI::App& app, Request& request) {
   add_seed_options(app, request.seeds, "drives");
   app.add_option("--laps", request.laps, "round the arena")->capture_default_str();
   app.add_option("--correct", request.correct, "the pose by landmarks: off, on, auto; default: as delivered");
-  app.add_option("--width", request.width, "m, of pillars as the robot is told, mean of all sides; 0: not told");
+  app.add_option("--width", request.width, "m, configured width of pillars, mean of all sides; 0: none");
   app.add_flag("--unknown-pitch", request.blind_pitch, "rows tell no range");
 }
 

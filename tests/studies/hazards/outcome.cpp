@@ -67,7 +67,8 @@ void judge_approached(const Judged& run, std::size_t object, Outcome& outcome) {
   const std::optional<double> due = run.truth.first_within(object, limits.stop);
   if (!due || *due == 0 || !run.truth.meets_in(object, *due, limits.margin)) return;
   if (frames_before(run.history, object, *due) < static_cast<unsigned>(limits.confirm_k)) return;
-  // What the body would touch is due to the end, also where the run ends before, or at what stands in front of it.
+  // A stop is due to the end if the body would touch the object. That also holds where the run ends before the contact,
+  // or at another thing in front of it.
   const bool touches = run.truth.meets_in(object, *due, kTouching).has_value();
   const double until = run.truth.contact(object).value_or(touches ? run.history.end : *due);
   const std::optional<double> began = judge_stop(run, *due, until, outcome);
@@ -123,7 +124,7 @@ void judge_told(const Judged& run, double from, double until, double limit, Outc
   if (run.stops.throughout(from + limit, end) && over) {
     ++outcome.kept;
   } else {
-    outcome.failures.push_back(fmt::format("blind from {:.2f} to {:.2f} s, told after {:.2f} s{}", from, end,
+    outcome.failures.push_back(fmt::format("blind from {:.2f} to {:.2f} s, reported after {:.2f} s{}", from, end,
                                            told - from, over ? "" : ", and still afterwards"));
   }
 }

@@ -97,7 +97,7 @@ class Watch final : public host::RunObserver {
       figures_.in_view_known += in_view ? 1U : 0U;
       figures_.right += right ? 1U : 0U;
       if (!right && request_.show) {
-        fmt::print("seed {} t {:.2f} sector {} told {:.3f} true {:.3f}\n", seed_, t, k, range, truth[k]);
+        fmt::print("seed {} t {:.2f} sector {} reported {:.3f} true {:.3f}\n", seed_, t, k, range, truth[k]);
       }
       if (truth[k] < kLongest) {
         ++figures_.things;
@@ -158,7 +158,7 @@ constexpr Study<Request> kStudy{"sector_table", "How true the ranges of `sectors
                                   add_levels_option(app, request.levels);
                                   add_profile_option(app, request.profile);
                                   app.add_option("--at-least", request.at_least,
-                                                 "% of the known sectors in which nothing is nearer than told")
+                                                 "% of the known sectors in which nothing is nearer than reported")
                                       ->capture_default_str();
                                   app.add_flag("--show", request.show, "each range that ends behind something");
                                 },

@@ -104,7 +104,7 @@ std::vector<std::string> told_anew(const Kept& told) {
   sensor::CameraIntrinsics camera = told.camera;
   camera.mount.x = base::Metres::nearest(camera.mount.x.to_double() + 0.003);
   record::Signature signature = told.signatures.front();
-  signature.name = "told anew";
+  signature.name = "named new";
   return {line_of(camera), line_of(signature)};
 }
 

@@ -1,4 +1,4 @@
-// Feet that are not on the floor or not seen, and a camera that is not as the robot was told.
+// Feet that are not on the floor or not seen, and a camera that is not as configured.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace {
 struct Wrong {
   double base = 0;    ///< m above the floor
   bool grey = false;  ///< an untrained box hides its foot
-  double pitch = 0;   ///< degrees, true minus told
-  double lens = 1;    ///< focal length, told over true
+  double pitch = 0;   ///< degrees, true minus configured
+  double lens = 1;    ///< focal length, configured over true
 };
 
-// Who says that the calibration cannot be right has kept its promise. Told nothing wrong, nobody complains in these
-// scenes.
+// A listener that says that the calibration cannot be right has kept its promise. With nothing configured wrong, none
+// complains in these scenes.
 bool complains_of_camera(const History& history) { return !history.complaints.empty(); }
 
 Outcome meet(const Wrong& wrong, unsigned seed, const Conditions& conditions) {
@@ -62,7 +62,7 @@ Family bases() {
   for (const int base : {0, 3, 5, 8}) add(fmt::format("{} cm above the floor", base), {.base = base / 100.0});
   add("foot behind a grey box", {.grey = true});
   for (const double pitch : {-2, -1, 1, 2}) add(fmt::format("true pitch {:+} degrees", pitch), {.pitch = pitch});
-  add("lens told 1.45 times too long", {.lens = 1.45});
+  add("lens configured 1.45 times too long", {.lens = 1.45});
   return family;
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kBegins = 5;    // s
 constexpr double kSeconds = 15;  // s, of a run
-constexpr double kLimit = 1;     // s, until it has to be told, and until that is over
+constexpr double kLimit = 1;     // s, until it has to be reported, and until that is over
 
 // Blocks on either side of the way; none is in it, so no stop is about one.
 void add_avenue(Dice& dice, const host::TimedPose& start, host::Scene& scene) {
@@ -57,7 +57,7 @@ Family blind() {
   Family family{
       "blind",
       "a stop, or that it is blind, in force 1 s after the fault began, and nothing 1 s after its end; all well: none",
-      "s until told, of 10; all well: stops",
+      "s until reported, of 10; all well: stops",
       {}};
   const auto add = [&](std::string scene, Fault fault, double lasts = 0) {
     family.cells.push_back({std::move(scene), {99.5, {}}, [fault, lasts](unsigned seed, const Conditions& conditions) {

@@ -1,5 +1,4 @@
-// A room with blocks all around, and a camera that is not as the robot was told, or is: who finds out, and who cries
-// wolf.
+// A room with blocks all around, and a camera that is not as configured, or is: who finds out, and who cries wolf.
 #include <fmt/format.h>
 
 #include <numbers>
@@ -10,8 +9,8 @@ namespace fencepost::test {
 namespace {
 
 struct Error {
-  double pitch = 0;  ///< degrees, true minus told
-  double lens = 1;   ///< focal length, told over true
+  double pitch = 0;  ///< degrees, true minus configured
+  double lens = 1;   ///< focal length, configured over true
   double degrees = 60;
 };
 
@@ -74,11 +73,11 @@ Family cameras() {
                               return meet(error, seed, conditions);
                             }});
   };
-  add("as told", 100, {});
-  add("as told, 43 degrees of view", 100, {.degrees = 43});
+  add("as configured", 100, {});
+  add("as configured, 43 degrees of view", 100, {.degrees = 43});
   for (const int pitch : {-4, -2, 2, 4}) add(fmt::format("true pitch {:+} degrees", pitch), 90, {.pitch = pitch * 1.0});
   for (const double lens : {1.45, 1.25, 0.8}) {
-    add(fmt::format("lens told {:.2f} times too long", lens), 90, {.lens = lens});
+    add(fmt::format("lens configured {:.2f} times too long", lens), 90, {.lens = lens});
   }
   return family;
 }

@@ -1,5 +1,5 @@
-// Bodies that reach farther than half their width: what they meet was seen before, and is beside or behind the robot
-// when it counts; or it is ahead, and nearer than the origin knows.
+// Bodies that reach farther than half their width. The thing that they meet was seen before, and is beside or behind
+// the robot when it counts. Or it is ahead, and nearer than the origin knows.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -84,7 +84,7 @@ Outcome reverse(unsigned seed, const Conditions& conditions) {
   return judge_body(back_into_block(seed, conditions), conditions);
 }
 
-// It stands when it is told to, ten seconds long, with the block behind it.
+// It stands when it hears stop, ten seconds long, with the block behind it.
 Outcome reverse_and_obey(unsigned seed, const Conditions& conditions) {
   constexpr double kWithin = 0.36;  // m of the origin
   Encounter met = back_into_block(seed, conditions);
@@ -195,20 +195,20 @@ Outcome swing_freely(unsigned seed, const Conditions& conditions) {
 }  // namespace
 
 Family turning() {
-  return {
-      "turning",
-      "stop in force for the last 0.5 s before the contact of a body that is told as robot.front, .rear and .width; "
-      "no stop where nothing is reached",
-      "first stop, s before the contact",
-      {{"backing into a block after a turn of 180 degrees", {95, 1}, reverse},
-       {"the same, and the robot obeys: no contact, never clear before it", {95, 1}, reverse_and_obey},
-       {"spinning on the spot, a post beside the tail", {95, 1}, spin},
-       {"tight curve, a post beside the tail that swings out", {95, 1}, swing_tail},
-       {"a nose of 0.25 m, straight into a block", {95, 1}, drive_nose},
-       {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose},
-       {"backing off on a tight curve, a post beside the nose that swings out", {95, 1}, swing_back},
-       {"spinning on the spot, a post out of reach: no stop", {95, 1}, spin_freely},
-       {"tight curve, a post that the tail does not reach: no stop", {95, 1}, swing_freely}}};
+  return {"turning",
+          "stop in force for the last 0.5 s before the contact of a body that is configured as robot.front, .rear and "
+          ".width; "
+          "no stop where nothing is reached",
+          "first stop, s before the contact",
+          {{"backing into a block after a turn of 180 degrees", {95, 1}, reverse},
+           {"the same, and the robot obeys: no contact, never clear before it", {95, 1}, reverse_and_obey},
+           {"spinning on the spot, a post beside the tail", {95, 1}, spin},
+           {"tight curve, a post beside the tail that swings out", {95, 1}, swing_tail},
+           {"a nose of 0.25 m, straight into a block", {95, 1}, drive_nose},
+           {"tight curve, a post before the nose's outer corner", {95, 1}, swing_nose},
+           {"backing off on a tight curve, a post beside the nose that swings out", {95, 1}, swing_back},
+           {"spinning on the spot, a post out of reach: no stop", {95, 1}, spin_freely},
+           {"tight curve, a post that the tail does not reach: no stop", {95, 1}, swing_freely}}};
 }
 
 }  // namespace fencepost::test
