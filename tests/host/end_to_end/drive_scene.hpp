@@ -87,8 +87,7 @@ inline void expect_replays(const Folder& folder, const std::string& run_err) {
 }
 
 /// The objects of the log's map. `boxes`: the camera reports them. One that reports areas makes the tall post seem
-/// nearer than it is; whether the first guess is corrected or is lost and begun anew then depends on a few
-/// milliseconds.
+/// nearer than it is. A few milliseconds then decide whether the first guess is corrected, or lost and begun anew.
 inline nlohmann::json believed(const Folder& folder, bool boxes) {
   constexpr double kGivenUp = 0.2;  // confidence
   const Outcome replay = shell(folder, "fencepost replay --json run.log");

@@ -126,8 +126,8 @@ Wide ill_conditioned_series(std::mt19937& random) {
   return hybrid;
 }
 
-/// A large circle. Its residuals are all far smaller than sigmas say, and a few tangents are known far better than
-/// sides are: pivots of the ring get lost.
+/// A large circle: pivots of the ring get lost. Its residuals are all far smaller than sigmas say, and a few tangents
+/// are known far better than sides are.
 Wide ill_conditioned_ring(std::mt19937& random) {
   Wide hybrid = any_hybrid(random);
   hybrid.clusters.fill({});

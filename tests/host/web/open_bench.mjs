@@ -1,5 +1,6 @@
-// usage: node open_bench.mjs PAGE CLI NPM SHARE: the page's size, and times: to its first picture of the map, to the picture of the whole run, and of a jump in its recording.
-// They are real time: measure on a machine that does nothing else.
+// usage: node open_bench.mjs PAGE CLI NPM SHARE. Prints the page's size. Prints the times to its first picture of the
+// map, to the picture of the whole run, and of a jump in its recording. They are real time: measure on a machine that
+// does nothing else.
 import { statSync } from "node:fs";
 import { Browser, Tools, goTo } from "./harness.mjs";
 

@@ -25,8 +25,8 @@ struct Approach {
 };
 
 /// The same seed gives the same drive, blocks and draws at every level. Footprints and camera are those of the
-/// published tables; 0.08 to 0.4 m/s, radii from 0.8 m, ways up to 2.2 m, one to six blocks of four colours. No block
-/// is nearer than `nearest` (m) where the robot starts.
+/// published tables. Speeds are 0.08 to 0.4 m/s, radii from 0.8 m, ways up to 2.2 m; there are one to six blocks of
+/// four colours. No block is nearer than `nearest` (m) where the robot starts.
 Approach random_approach(unsigned seed, const NoiseLevel& level, double nearest);
 
 /// Distance of a place to the footprint, m; 0 inside.

@@ -1,4 +1,4 @@
-// What is truly in the way, how far and how soon: from footprints and the drive alone, no model of the robot's.
+// The things truly in the way, how far and how soon: from footprints and the drive alone, no model of the robot's.
 #pragma once
 
 #include <cstddef>
@@ -36,9 +36,9 @@ class GroundTruth {
   }
   /// When a block in the path comes within the stop distance; nothing if the run ends before, or begins there.
   [[nodiscard]] std::optional<double> stop_time(std::size_t object) const;
-  /// A stop at t has a reason: something in the path, widened by `grace` on either side, within 1.5 times the stop
-  /// distance, or 1.5 times as soon as alert.ttc_stop. Contact is when the body, half its width ahead of the origin, is
-  /// there at the true speed.
+  /// A stop at t has a reason if something is in the path, widened by `grace` on either side. It has to be within 1.5
+  /// times the stop distance, or 1.5 times as soon as alert.ttc_stop. Contact is when the body, half its width ahead of
+  /// the origin, is there at the true speed.
   [[nodiscard]] bool stop_is_right(double t, double grace) const;
   [[nodiscard]] const AlertLimits& limits() const { return limits_; }
 

@@ -48,8 +48,8 @@ struct Verdict {
   double seconds = 0;
   std::vector<ObstacleVerdict> obstacles;
   std::vector<FalseStop> false_stops;
-  /// Frames from the one that completed k-of-n to the first alert, of blocks that were well within alert.warn by
-  /// then; an alert that never came counts the frames to the end.
+  /// Of blocks that were well within alert.warn by then: frames from the one that completed k-of-n to the first alert.
+  /// An alert that never came counts the frames to the end.
   std::vector<Delay> delays;
   unsigned phantoms = 0;   ///< confirmed objects that mean no block: a second one for it, or of false blobs
   unsigned misplaced = 0;  ///< confirmed objects that took the blobs of a block, yet are not where it is

@@ -1,4 +1,4 @@
-// The short drive that the guide asks for, with random blocks, and a robot whose calibration was told wrong.
+// The short drive that the guide asks for, with random blocks, and a robot whose configured calibration is wrong.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The console's guide judges a drive as its calibration does: what it calls enough tells everything with small sigmas,
-// what it does not call enough need not.
+// The console's guide judges a drive as its calibration does. A drive that it calls enough gives every number with a
+// small sigma; another need not.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -89,7 +89,7 @@ TEST_P(GuidedDrive, OneStraightIsNotEnoughAndTheFocalLengthStaysOpen) {
   EXPECT_GT(sigmas_of(drive).focal_share, 0.02);
 }
 
-// What the guide asked for before: everything is told, the yaw by one straight only.
+// The drive that the guide asked for before: every number is observed, the yaw by one straight only.
 TEST_P(GuidedDrive, AShortDriveIsNotEnoughForTheYaw) {
   const CalibrationDrive drive = calibration_drive({.seed = GetParam()});
   const Guided verdict = guided<config::Small>(drive);

@@ -33,7 +33,7 @@ const std::array<NoiseLevel, 7>& noise_levels();
 /// Those with these keys, in the order of noise_levels(); no keys: all.
 std::vector<NoiseLevel> noise_levels(const std::vector<std::string>& keys);
 
-/// The level as the simulator has it, for scenes of about three objects: false blobs come beside objects and not in
+/// The level as the simulator has it, for scenes of about three objects. False blobs come beside objects and not in
 /// their place, growth is 0..60 %, and both parts of a split blob stay.
 host::SceneNoise scene_noise(const NoiseLevel& level);
 

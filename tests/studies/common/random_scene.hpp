@@ -1,5 +1,6 @@
-// Random blocks worlds: the distribution of the published tables (three objects in a 0.35 m disc; box, triangle, round,
-// L; 0.06 to 0.26 m; a 176 px, 43 degree camera 15 cm above the floor, one circle of 75 views at 0.8 to 1.1 m).
+// Random blocks worlds, by the distribution of the published tables. Three objects are in a 0.35 m disc: box, triangle,
+// round, L; 0.06 to 0.26 m. The camera has 176 px and 43 degrees and is 15 cm above the floor. Its 75 views are from
+// one circle at 0.8 to 1.1 m.
 #pragma once
 
 #include "host/scene/scene.hpp"

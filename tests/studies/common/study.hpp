@@ -1,4 +1,4 @@
-// What the programs that study random scenes share: their command lines, their seeds, how they print and end.
+// Shared by the programs that study random scenes: their command lines, their seeds, how they print and end.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,7 +21,7 @@ struct Seeds {
   unsigned scenes = 100;
   unsigned first = 1;
 
-  /// What `run(seed)` gives, for each.
+  /// The results of `run(seed)`, one for each seed.
   template <class Run>
   auto each(Run run) const {
     std::vector<decltype(run(first))> results;

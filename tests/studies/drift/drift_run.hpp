@@ -28,7 +28,7 @@ struct DriftOptions {
   std::string level = "2";  ///< of blob noise, see noise_levels.hpp; its pose noise is left out
 };
 
-/// What the robot would have logged, `correct.pose` in it. Throws std::runtime_error if the scene cannot be simulated.
+/// The robot's log, with `correct.pose` in it. Throws std::runtime_error if the scene cannot be simulated.
 std::string drift_log(const DriftOptions& options);
 
 /// Throws std::runtime_error if the scene cannot be simulated or replayed.

@@ -40,10 +40,10 @@ std::string row_of(const Means& means) {
   return row;
 }
 
-/// What has to be reached with 3 %, 2 deg/m in one loop.
+/// The drift that is judged, in one loop.
 constexpr std::string_view kJudged = "3 %, 2 deg/m";
-constexpr double kPositionRemoved = 0.60;
-constexpr double kHeadingRemoved = 0.55;
+constexpr double kPositionRemoved = 0.60;  // minimum share of its position error that correction removes
+constexpr double kHeadingRemoved = 0.55;   // minimum share of its heading error that correction removes
 
 struct Request {
   Seeds seeds;

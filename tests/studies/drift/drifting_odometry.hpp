@@ -10,7 +10,8 @@
 
 namespace fencepost::test {
 
-/// Odometry as the reference drew it: a scale and a turn a metre, both one draw a run, and a step by step part of each.
+/// Odometry as the reference drew it: a scale and a turn a metre. Each is one draw a run, and has a part that is drawn
+/// step by step.
 struct Drift {
   std::string_view key;
   double scale = 0;           ///< sigma, share of the distance
@@ -19,7 +20,7 @@ struct Drift {
   double scale_walk = 0.003;  ///< share of the distance a sqrt(m): 1 % a step of 9 cm; none without a scale
 };
 
-/// What a robot of this drift would have logged, and where it truly was.
+/// The odometry of a robot of this drift, and where it truly was.
 class DriftingOdometry {
  public:
   DriftingOdometry(unsigned seed, const Drift& drift);

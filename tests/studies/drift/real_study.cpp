@@ -11,7 +11,7 @@
 namespace fencepost::test {
 namespace {
 
-/// What every run together has to reach.
+/// The targets of all runs together.
 constexpr double kMedian = 0.08;      // m
 constexpr double kWorst = 0.14;       // m
 constexpr std::size_t kObjects = 18;  // for 15 landmarks

@@ -37,8 +37,8 @@ struct ExtentCase {
 /// The object alone, about the origin, turned by the seed. Distance, height and where the drive begins are the seed's.
 host::Scene extent_scene(const ExtentCase& wanted);
 
-/// What nobody who drove there can tell from the object: the floor behind the seen side, for drives with a back; else
-/// the footprint itself.
+/// The area that a drive cannot tell from the object: the floor behind the seen side, where the back is never seen. For
+/// other drives it is the footprint itself.
 host::Polygon unseen_with(const ExtentCase& wanted, const host::Scene& scene);
 /// The part of the footprint that was seen: all of it, or 2 cm behind the seen side.
 host::Polygon seen_of(const ExtentCase& wanted, const host::Scene& scene);

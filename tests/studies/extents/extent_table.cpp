@@ -1,5 +1,5 @@
-// What the hybrid makes of things that are longer than the image is wide. Prints Markdown: recklessness and paranoia of
-// what was seen, phantoms, and how long the outline is. Same seeds, same table.
+// The hybrid on things that are longer than the image is wide. Prints Markdown: recklessness and paranoia of the seen
+// part, phantoms, and how long the outline is. Same seeds, same table.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 namespace fencepost::test {
 
-/// What a cell is run with.
+/// The conditions of a cell's runs.
 struct Conditions {
   NoiseLevel level;
   Rule rule = Rule::kFencepost;
@@ -21,7 +21,7 @@ struct Conditions {
   std::optional<double> rate{};             ///< frames/s, in place of the family's
 };
 
-/// What a judged cell has to reach.
+/// The targets of a judged cell.
 struct Target {
   std::optional<double> kept{};         ///< %, at least
   std::optional<double> false_stops{};  ///< in 10 minutes, grazes left out, at most
@@ -36,8 +36,8 @@ struct Cell {
 
 struct Family {
   std::string name;
-  std::string promise;  ///< what "kept" means
-  std::string measure;  ///< what the measure is, with its unit
+  std::string promise;  ///< the meaning of "kept"
+  std::string measure;  ///< the measure, with its unit
   std::vector<Cell> cells;
 };
 

@@ -13,7 +13,7 @@
 
 namespace fencepost::test {
 
-/// What of the robot can touch, robot frame, m: a disc around the origin, or an outline.
+/// The part of the robot that can touch, robot frame, m: a disc around the origin, or an outline.
 struct Body {
   double radius = AlertLimits{}.half_width;
   std::optional<host::LinearRing> outline{};
@@ -33,12 +33,12 @@ struct Encounter {
   host::Scene scene;  ///< its path is not used
   Route route;
   double seconds = 0;  ///< the run ends then, or at a contact
-  bool obeys = false;  ///< stands while it is told stop
+  bool obeys = false;  ///< stands while a stop is in force
   bool slows = false;  ///< and is no faster than the speed limit
   Brake brake{};
   Body body;
-  std::optional<sensor::CameraIntrinsics> told{};  ///< the calibration that the robot is told, where it is wrong
-  std::vector<record::Setting> settings{};         ///< that the robot is told
+  std::optional<sensor::CameraIntrinsics> told{};  ///< the configured calibration, where it is wrong
+  std::vector<record::Setting> settings{};         ///< configured
   Outage outage{};
 };
 

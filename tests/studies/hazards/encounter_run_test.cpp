@@ -1,4 +1,4 @@
-// The loop that is closed: who is told stop stands. And what the listeners make of frames.
+// The closed loop: a robot that hears stop stands. And what the listeners make of frames.
 #include "tests/studies/hazards/encounter_run.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 const Conditions kQuiet{noise_levels({"0"}).front()};
 
-/// Says what it was told to say when the time has come; keeps what it hears.
+/// Says its lines when their time has come; keeps what it hears.
 class Script final : public Listener {
  public:
   explicit Script(std::vector<record::AlertReport> lines) : lines_(std::move(lines)) {}
@@ -54,7 +54,7 @@ TEST(EncounterRun, ARobotThatObeysStandsAndGoesOn) {
   Script script({at(1, record::AlertLevel::kStop), at(3, record::AlertLevel::kWarn)});
   const History history = run_encounter(met, script);
   const auto progress = [&](double t) { return history.progress[static_cast<std::size_t>(t / kTruthStep + 0.5)]; };
-  // Told at 1 s; it brakes from 1.1 s and stands at 1.3 s, half of that time further on.
+  // Stop comes at 1 s. It brakes from 1.1 s and stands at 1.3 s, after half the way of that time.
   EXPECT_NEAR(progress(1), 1, 1e-9);
   EXPECT_NEAR(progress(2), 1 + met.brake.reaction + met.brake.full / 2, 0.03);
   EXPECT_NEAR(progress(3), progress(2), 1e-9);
@@ -98,7 +98,7 @@ TEST(EncounterRun, TheRobotHearsTheCalibrationThatItIsTold) {
 }
 
 TEST(EncounterRun, FencepostListensAndAPlantedLateStopIsFoundLate) {
-  // Told stop before the box, which is in the middle of the image all the time.
+  // It says stop before the box, which is in the middle of the image all the time.
   const Encounter met = towards_a_box();
   const Judged run = run_cell(met, kQuiet);
   Outcome outcome;

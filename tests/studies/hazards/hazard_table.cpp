@@ -66,7 +66,7 @@ bool wanted(const Request& request, const Family& family) {
          std::find(request.families.begin(), request.families.end(), family.name) != request.families.end();
 }
 
-// What is said of cells that miss their targets.
+// The lines about cells that miss their targets.
 class Misses {
  public:
   explicit Misses(const std::string& known) {

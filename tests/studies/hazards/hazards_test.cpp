@@ -80,7 +80,7 @@ TEST(Approached, NorAWarningNorNothing) {
 }
 
 TEST(Approached, WhoSaysStopDoesNotMatter) {
-  // One object ends, another's stop began before: the robot is told stop all the time.
+  // One object ends, another's stop began before: a stop is in force all the time.
   EXPECT_EQ(approached(
                 {alert(6.5, AlertLevel::kStop, 3), alert(7.0, AlertLevel::kStop, 0), alert(7.8, AlertLevel::kClear, 3)})
                 .kept,
@@ -132,8 +132,8 @@ TEST(FalseStops, WhatPassesAreGrazesOrFalse) {
   }
 }
 
-// A ball of 5 cm at 0.5 m/s from 2 m towards a standing robot: contact when its centre is 0.15 m away (and kTouching),
-// at 3.69 s.
+// A ball of 5 cm at 0.5 m/s from 2 m towards a stationary robot. Contact is when its centre is 0.15 m away (and
+// kTouching), at 3.69 s.
 Encounter ball_ahead() {
   Encounter met;
   host::SceneObject ball = thing("ball", 1, 0.1, {host::circle_ring({2, 0}, 0.05), {}});

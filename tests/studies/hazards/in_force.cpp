@@ -14,7 +14,7 @@ Stretches::Stretches(std::span<const record::AlertReport> alerts, record::AlertL
   InForce now;
   for (std::size_t i = 0; i < alerts.size(); ++i) {
     now.take(alerts[i]);
-    // What is said at one time is said at once.
+    // Alerts of one time count together.
     if (i + 1 < alerts.size() && alerts[i + 1].t == alerts[i].t) continue;
     const double t = alerts[i].t.to_double();
     const bool open = !stretches_.empty() && stretches_.back().to == kOpen;

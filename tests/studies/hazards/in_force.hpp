@@ -26,8 +26,8 @@ struct Stretch {
   double to = 0;
 };
 
-/// When an alert of `least` or higher was in force, in order, s; from the first of a row of alerts to what ended the
-/// last.
+/// The times when an alert of `least` or higher was in force, in order, s. A stretch lasts from the first of a row of
+/// alerts to the end of the last.
 class Stretches {
  public:
   /// `alerts` in order of time; what is in force at the end stays so.

@@ -23,7 +23,7 @@ class Listener {
   [[nodiscard]] virtual std::vector<host::ObjectResult> objects() const { return {}; }
   /// m/s that the robot may have; infinite where that is not said.
   [[nodiscard]] virtual double speed_limit() const { return std::numeric_limits<double>::infinity(); }
-  /// What it says about its own input.
+  /// Its complaints about its own input.
   [[nodiscard]] virtual std::vector<std::string> complaints() const { return {}; }
 
   /// All that was said, in order.

@@ -1,4 +1,4 @@
-// What one run says of a promise, and how a family of encounters adds up.
+// The judgement of one run on a promise, and how a family of encounters adds up.
 #pragma once
 
 #include <optional>
@@ -48,9 +48,9 @@ std::optional<double> judge_stop(const Judged& run, double due, double until, Ou
 /// Frames that had shown the object by then.
 unsigned frames_before(const History& history, std::size_t object, double t);
 
-/// The object comes within alert.stop in the robot's path: a stop has to be in force from then until the contact or the
-/// end of the run; only then, if it is the margin alone that would touch. Measures the distance at which the stop
-/// began, m; 0: never. Not asked if fewer than k frames had shown it, or if it was as near from the beginning.
+/// The object comes within alert.stop in the robot's path. A stop has to be in force from then until the contact or the
+/// end of the run. If the margin alone would touch, it only has to be at that moment. Measures the distance at which
+/// the stop began, m; 0: never. Not asked if fewer than k frames had shown it, or if it was as near from the beginning.
 void judge_approached(const Judged& run, std::size_t object, Outcome& outcome);
 /// The body touches the object at last: a stop is due `before` s before. Measures how long before it began, s; 0:
 /// never.
@@ -58,14 +58,14 @@ inline constexpr double kBefore = 0.5;
 void judge_contact(const Judged& run, std::size_t object, Outcome& outcome, double before = kBefore);
 /// No stop at all, and no complaint about a camera that is as configured.
 void judge_no_stop(const Judged& run, Outcome& outcome);
-/// Of an obedient robot: no contact, and once it has been told stop, a warn or a stop in force while it is within
-/// `within` m of the object. Measures how often it was without.
+/// Of an obedient robot: no contact. Once it has heard stop, a warn or a stop is in force while it is within `within` m
+/// of the object. Measures how often it was without.
 void judge_silence(const Judged& run, std::size_t object, double within, Outcome& outcome);
-/// From `limit` after `from` until `until` a stop, or that it is blind, is in force, and `limit` later nothing any more
-/// if the run goes on so long. Measures how long it took, s.
+/// From `limit` after `from` until `until` a stop, or that it is blind, is in force. `limit` later nothing is any more,
+/// if the run goes on that long. Measures how long the report took, s.
 void judge_told(const Judged& run, double from, double until, double limit, Outcome& outcome);
-/// The object of that signature is gone from `gone` on: an alert was in force then, and none is `limit` later, but for
-/// those about another colour, or what is farther than `background` (m). Measures how long they stayed, s.
+/// The object of that signature is gone from `gone` on. An alert was in force then, and none is `limit` later. Alerts
+/// about another colour, or farther than `background` (m), do not count. Measures how long they stayed, s.
 void judge_removal(const Judged& run, std::uint8_t signature, double gone, double limit, double background,
                    Outcome& outcome);
 

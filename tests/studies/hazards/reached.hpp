@@ -1,4 +1,4 @@
-// What the cells that miss their target have reached: so that one that grows worse is noticed all the same.
+// The figures of the cells that miss their target, so that one that grows worse is noticed all the same.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ std::string as_line(const Reached& reached);
 /// The cell of the same name; nullptr: there is none.
 const Reached* find(const std::vector<Reached>& all, const Reached& like);
 
-/// What is worse than `before` by more than three standard errors of both; empty if nothing is.
+/// The figures worse than `before` by more than three standard errors of both; empty if none is.
 std::string worse(const Reached& before, const Reached& now);
 
 }  // namespace fencepost::test

@@ -1,4 +1,4 @@
-// What the families' scenes are made of.
+// The parts of the families' scenes.
 #pragma once
 
 #include "tests/studies/common/random_footprint.hpp"

@@ -8,9 +8,8 @@
 
 namespace fencepost::test {
 
-/// Seeds up to this one may be tuned on; judging begins with the other.
-inline constexpr unsigned kLastTuningSeed = 1000;
-inline constexpr unsigned kFirstJudgingSeed = 100'001;
+inline constexpr unsigned kLastTuningSeed = 1000;       ///< seeds up to it may be tuned on
+inline constexpr unsigned kFirstJudgingSeed = 100'001;  ///< seeds from it on judge
 
 /// "tuning", "judging", or "neither tuning nor judging".
 std::string_view use_of(const Seeds& seeds);
@@ -20,7 +19,8 @@ std::string head(const Family& family);
 /// `seconds`: of the processor, that the row took.
 std::string row(const Cell& cell, Rule rule, unsigned runs, const Outcome& sum, double seconds);
 
-/// What the judge says: the figures that miss the cell's target, empty if all are reached. Nothing asked misses any.
+/// The judge's verdict: the figures that miss the cell's target, empty if all are reached. A cell that was asked
+/// nothing misses any target.
 std::string missed(const Target& target, const Outcome& sum);
 
 double percent_kept(const Outcome& outcome);

@@ -11,9 +11,9 @@ namespace fencepost::test {
 namespace {
 
 constexpr double kNearly = 1.5;  // a stop this many times too early is still right
-// What comes by itself is farther away in the same time: two seconds ahead is right, as for alert.ttc_warn.
+// The same of movers. They are farther away in the same time: two seconds ahead is right, as for alert.ttc_warn.
 constexpr double kNearlyOfMovers = 2.5;
-constexpr double kAhead = 8;  // s: what is met later is no reason to stop
+constexpr double kAhead = 8;  // s: a thing that is met later is no reason to stop
 
 const host::Polygon& footprint(const host::SceneObject& object, double t, host::Polygon& moved) {
   if (object.path.empty() && !object.from && !object.until) return object.footprint;

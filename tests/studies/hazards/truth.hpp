@@ -45,9 +45,9 @@ class RunTruth {
   [[nodiscard]] std::optional<double> contact(std::size_t object) const;
   /// The body widened by `margin` will touch it if the robot drives on at its speed from t on: how soon, s.
   [[nodiscard]] std::optional<double> meets_in(std::size_t object, double t, double margin) const;
-  /// A stop at t has a reason: something that the body widened by robot.margin and `grace` will meet, and that is
-  /// within 1.5 times alert.stop of the origin, or as near to the body as it would be there to one of half the width,
-  /// or 1.5 times as soon as alert.ttc_stop (2.5 times, if it moves by itself).
+  /// A stop at t has a reason if the body, widened by robot.margin and `grace`, will meet something near or soon. Near
+  /// is within 1.5 times alert.stop of the origin, or within that less half of the default width of the body. Soon is
+  /// within 1.5 times alert.ttc_stop (2.5 times, if it moves by itself).
   [[nodiscard]] bool stop_is_right(double t, double grace) const;
 
  private:

@@ -29,7 +29,7 @@ class Wire {
  public:
   explicit Wire(const Outage& outage) : outage_(outage) {}
 
-  /// What arrives of a line, line end included; empty: nothing. Valid until the next call.
+  /// The part of a line that arrives, line end included; empty: nothing. Valid until the next call.
   std::string_view carry(std::string_view line);
 
   // The sink of the reader.

@@ -1,5 +1,5 @@
-// A log as long as a test wants: a robot that goes to and fro before a box, says what its program prints, and never
-// stops. One run, so nothing may be forgotten at a new one.
+// A log as long as a test wants, of a robot that goes to and fro before a box and never stops. Its own program's prints
+// are in it. It is one run, so nothing may be forgotten at a new one.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ class LongLog {
   /// A pose each `tick` s. A record's time ends at a million: of 4 GB that takes poses close to each other.
   explicit LongLog(double tick = 0.05) : tick_seconds_(tick) {}
 
-  /// What comes before the drive: its camera looks ahead from 0.1 m.
+  /// The lines before the drive: its camera looks ahead from 0.1 m.
   static std::string begin() {
     return record_line("FPHDR,1,test,1,none,full") +
            record_line(

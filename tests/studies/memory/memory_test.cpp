@@ -135,7 +135,7 @@ Ended run_behind_a_long_line(const Folder& folder, const std::vector<std::string
   return ended;
 }
 
-/// What reads logs, and how it ends with such a one.
+/// The commands that read logs, and their exit status with such a one.
 const std::vector<std::pair<std::vector<std::string>, int>> kReaders = {
     {{"replay", "-", "--json"}, 0},
     {{"replay", "-", "--check"}, 1},

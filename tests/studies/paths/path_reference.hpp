@@ -1,4 +1,4 @@
-// What our prototype reached on these paths: R + P, points of per cent, 40 scenes, flags given.
+// Our prototype's figures on these paths: R + P, points of per cent, 40 scenes, flags given.
 #pragma once
 
 #include <array>

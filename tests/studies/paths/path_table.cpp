@@ -26,7 +26,8 @@ struct FeedText {
 constexpr std::array<FeedText, 3> kFeeds = {
     {{Feed::kGiven, "flags given"}, {Feed::kLog, "from the log"}, {Feed::kCorrected, "from the log, pose corrected"}}};
 
-/// The prototype's flags were given, and it was told how far its odometry drifts: ours is told so when it corrects it.
+/// The prototype's flags were given, and so was the drift of its odometry. Ours has the drift when it corrects the
+/// pose.
 bool is_judged(const FeedText& feed, bool drift) { return feed.feed == (drift ? Feed::kCorrected : Feed::kGiven); }
 
 std::string hybrid_cell(const PathMean& mean, const PathReference& reference, const FeedText& feed,

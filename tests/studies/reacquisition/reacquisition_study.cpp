@@ -1,5 +1,5 @@
-// Prints the paper's Figure 10 over many random scenes, at three degrees of difficulty, and says whether what is asked
-// of each algorithm was reached; status 1 if it was not.
+// Prints the paper's Figure 10 over many random scenes, at three degrees of difficulty. Says whether each algorithm
+// reached its targets; status 1 if one did not.
 #include <algorithm>
 #include <string>
 #include <vector>

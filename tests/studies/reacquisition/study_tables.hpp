@@ -35,7 +35,7 @@ struct Verdict {
   std::string text;
   bool reached = true;
 };
-/// What is asked of this world's scores, each with a figure.
+/// The targets of this world's scores, each with a figure.
 std::vector<Verdict> verdicts(const StudyWorld& world, const StudyScores& scores);
 
 }  // namespace fencepost::test

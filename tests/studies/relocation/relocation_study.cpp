@@ -29,9 +29,9 @@ struct Request {
 };
 
 constexpr std::array<double, 4> kAfter = {15, 30, 60, 120};  // s
-/// Of the robot's pose, against the one that it has in the same map where nothing is cut.
-constexpr double kRight = 0.5;  // m
-constexpr double kRightTurn = 15 * std::numbers::pi / 180;
+/// m, maximum error of a right pose, against the one that the robot has in the same map where nothing is cut.
+constexpr double kRight = 0.5;
+constexpr double kRightTurn = 15 * std::numbers::pi / 180;  // rad, the same of its heading
 
 struct Recording {
   std::string name;

@@ -31,7 +31,7 @@ struct SoakFigures {
   LapQuality at_end;
   unsigned present = 0;             ///< blocks of the last of three laps without a reset, blocks changing every lap
   unsigned present_found = 0;       ///< of those, in the map
-  std::vector<std::string> faults;  ///< what must never be; empty
+  std::vector<std::string> faults;  ///< has to be empty
 };
 
 /// `rounds` of about 40 s, a third of them 100 m away. The same seed drives the same way.

@@ -11,7 +11,7 @@
 
 namespace fencepost::test {
 
-/// What the writer's thread and the run share.
+/// Shared by the writer's thread and the run.
 struct Platter {
   std::mutex mutex;
   std::condition_variable changed;
@@ -28,13 +28,13 @@ class Disk {
   Disk(const Disk&) = delete;
   Disk& operator=(const Disk&) = delete;
 
-  /// What of these whole lines is dealt with, see host::LogKeeper.
+  /// The part of these whole lines that is dealt with, see host::LogKeeper.
   std::size_t take(std::string_view lines, base::Time now);
   void set_open(bool open);
   void set_full();
   [[nodiscard]] bool failed() const { return keeper_.failed(); }
   [[nodiscard]] bool behind() const { return keeper_.behind(); }
-  /// What was written.
+  /// All bytes that were written.
   [[nodiscard]] std::string bytes() const;
 
  private:

@@ -1,4 +1,4 @@
-// What happens to a robot from outside: a list, which a failure is shrunk to the shortest of.
+// Events that happen to a robot from outside: a list. A failure is shrunk to the shortest list that still fails.
 #pragma once
 
 #include <cstdint>

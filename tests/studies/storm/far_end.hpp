@@ -19,7 +19,7 @@ struct Wires {
   bool gives_up = true;
 };
 
-/// What became of a transfer on it.
+/// The outcome of a transfer on it.
 struct Transferred {
   std::optional<emulate::Bytes> in;  ///< nothing: not acknowledged
   base::Duration stretched;          ///< how long the device held the clock

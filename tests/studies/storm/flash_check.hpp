@@ -1,4 +1,4 @@
-// After a power cut: what the robot had been told since it last looked is in flash together, or not at all.
+// After a power cut: all that was configured since the robot last looked is in flash together, or nothing of it.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ class FlashCheck {
   void begin(const Kept& kept) { states_ = {kept}; }
   /// The robot has looked for changes, and written what has changed.
   void note(const Kept& kept);
-  /// What is wrong with what a robot has that was switched on again, in words. `in_write`: the power went while it
-  /// wrote.
+  /// The fault, in words, in the configuration of a robot that was switched on again. `in_write`: the power went while
+  /// it wrote.
   [[nodiscard]] std::optional<std::string> compare(const Kept& restored, bool in_write) const;
 
-  /// Told between the last two looks; a line of them, of which not all may be there.
+  /// One line of several that were configured between the last two looks: it may not be there alone.
   [[nodiscard]] std::optional<std::string> one_of_several() const;
 
  private:
   std::vector<Kept> states_;  ///< the last two; the later one was being written, or is there
 };
 
-/// A planted fault: a value that nobody told, written as the robot itself writes.
+/// A planted fault: a value that nobody configured, written as the robot itself writes.
 void plant_mixture(StormFlash& flash);
-/// Another: a line of several that were told together is there alone.
+/// Another: a line of several that were configured together is there alone.
 void plant_half(StormFlash& flash, const std::string& line);
 
 }  // namespace fencepost::test

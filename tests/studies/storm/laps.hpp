@@ -26,7 +26,7 @@ struct LapChoice {
 };
 
 /// From the origin, heading 0, and back there at rest: towards something and away again, round a circle, or round on
-/// the spot; every second one nearer to something than a robot should come.
+/// the spot. Every second one comes nearer to something than a robot should.
 host::Scene random_lap(Chance& chance, const LapChoice& choice);
 
 }  // namespace fencepost::test

@@ -1,4 +1,4 @@
-// What must be true of the log that a robot wrote.
+// The rules for the log that a robot wrote.
 #pragma once
 
 #include <cstdint>

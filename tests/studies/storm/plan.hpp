@@ -38,7 +38,7 @@ struct Plan {
 
 Plan plan_of(std::uint64_t seed, double minutes);
 
-/// What the run is, in a line.
+/// The run in a line.
 std::string describe(const Plan& plan);
 
 }  // namespace fencepost::test

@@ -1,4 +1,4 @@
-// Ports in memory, in place of those that host/live/open_port.hpp opens: ports.cpp defines its functions anew, so that
+// Ports in memory, in place of those that host/live/open_port.hpp opens. ports.cpp defines its functions anew, so that
 // the catalogue's own rows open their drivers on them.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace fencepost::test {
 
-/// What is plugged in where, by the names of places. While one is alive, what this thread opens is opened in it.
+/// The plugged-in devices, by the names of places. While one is alive, this thread opens its ports in it.
 class Sockets {
  public:
   Sockets();

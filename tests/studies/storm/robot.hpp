@@ -21,13 +21,13 @@ namespace fencepost::test {
 
 using StormFlash = fake::CutFlash<4096>;
 
-/// What one turn of the loop was given.
+/// The inputs of one turn of the loop.
 struct Given {
   std::optional<sensor::OdometrySample> odometry;
   std::optional<sensor::BlobFrame> frame;
 };
 
-/// What a robot was told and keeps.
+/// The configuration that a robot keeps.
 struct Kept {
   config::Settings settings;
   sensor::CameraIntrinsics camera;
@@ -49,10 +49,10 @@ class StormRobot {
 
   /// Switched on: what is in flash comes into force, over the camera that it is delivered with.
   virtual void start(const sensor::CameraIntrinsics& delivered) = 0;
-  /// What somebody tells it once; it goes to flash with the next turns.
+  /// Somebody configures it once; that goes to flash with the next turns.
   virtual void tell(const Kept& told) = 0;
   virtual void turn(base::Time now) = 0;
-  /// In this turn it looked whether it was told anything, and wrote that to flash.
+  /// In this turn it looked for a new configuration, and wrote it to flash.
   [[nodiscard]] virtual bool looked() const = 0;
 
   [[nodiscard]] virtual const Given& given() const = 0;

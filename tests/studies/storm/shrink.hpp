@@ -16,7 +16,7 @@ Plan with_events(const Plan& plan, const std::vector<std::size_t>& numbers);
 /// at most `runs` runs.
 std::vector<std::size_t> shrunk(const Plan& plan, Plant plant, const std::string& check, int runs = 200);
 
-/// What repeats it, for a shell: `storm --seed 7 --minutes 10 --events 3,17`.
+/// The shell line that repeats it: `storm --seed 7 --minutes 10 --events 3,17`.
 std::string command_of(const Plan& plan, const std::vector<std::size_t>& numbers);
 
 }  // namespace fencepost::test

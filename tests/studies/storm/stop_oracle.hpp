@@ -1,5 +1,5 @@
-// What a robot must have known, from what its loop was given alone: places where feet of blobs were seen again and
-// again. Simple on purpose, and told to be sure: it asks for a stop only well inside of every limit.
+// Things that a robot must have known from its loop's inputs alone: places where feet of blobs were seen again and
+// again. It is simple on purpose, and careful: it asks for a stop only well inside of every limit.
 #pragma once
 
 #include <deque>
@@ -22,8 +22,8 @@ class StopOracle {
   /// A new run.
   void forget() { *this = {}; }
 
-  /// For how long something known has been so near in front of the robot, which drives towards it, that a stop was due;
-  /// and what, in words.
+  /// For how long a stop has been due: the robot drives towards something known that is near in front of it. what()
+  /// names it.
   [[nodiscard]] base::Duration overdue(const config::Settings& settings, base::Time now);
   [[nodiscard]] const std::string& what() const { return what_; }
 

@@ -181,7 +181,7 @@ class Storm {
     take_journal(now);
     watch(now);
   }
-  // What need not be looked at each turn.
+  // Checks that each turn does not need.
   void look_around() {
     if (!robot_->guarded() && !std::exchange(said_guard_, true)) fault("guard", "the words around the memory changed");
     alerts_off_ = alerts_off_ || !robot_->alerts_are_said();

@@ -18,7 +18,7 @@ enum class Plant : std::uint8_t {
   kBrokenGuard,  ///< something writes behind the robot's memory
   kDeafPin,      ///< the STOP output stays as it is for a second
   kMixedFlash,   ///< a power cut leaves an entry of another value
-  kHalfKept,     ///< and one of several settings that were told together
+  kHalfKept,     ///< and one of several settings that were changed together
 };
 
 struct RunFigures {

@@ -13,10 +13,10 @@
 namespace fencepost::test {
 namespace {
 
-/// Seeds here are judged, none was looked at while anything was chosen; each is half a minute, so that sanitizers can
-/// follow. `toolchain/long storm` has ten minutes each.
+/// Seeds here are judged; none was looked at while anything was chosen.
 constexpr std::uint64_t kFirst = 2'000'001;
-constexpr std::uint64_t kRobots = 50;
+constexpr std::uint64_t kRobots = 50;  // a seed each
+/// Of each robot: few, so that sanitizers can follow. `toolchain/long storm` has ten minutes each.
 constexpr double kMinutes = 0.5;
 
 class Storm : public testing::TestWithParam<std::uint64_t> {};

@@ -34,7 +34,7 @@ constexpr base::Duration kKeptAway = base::milliseconds(100);
 constexpr base::Duration kCatchesUp = base::milliseconds(500);
 /// Of a slow camera that sends nothing where it sees nothing: a Pixy, a JeVois.
 constexpr base::Duration kImagesWithoutBoxes = base::milliseconds(1'500);
-constexpr base::Duration kLinkReported = base::milliseconds(3'000);
+constexpr base::Duration kLinkReported = base::milliseconds(3'000);  // after unplugging it is reported as absent
 
 bool same_boxes(const sensor::BlobFrame& a, const sensor::BlobFrame& b) {
   if (a.blobs.size() != b.blobs.size() || a.blobs.empty()) return false;
@@ -75,7 +75,7 @@ void Watch::look(const StormRobot& robot, const Outside& outside, base::Time now
   }
   seen_.stream = stream;
   seen_.frames = robot.frames_of_run();
-  // What lay in buffers meanwhile is stamped when it is read: where that was seen from, nobody can know.
+  // Inputs that lay in buffers meanwhile are stamped when they are read: nobody can know from where they were seen.
   if (now - std::exchange(seen_.looked, now) > kKeptAway) {
     seen_.kept_away = now;
     seen_.oracle = {};

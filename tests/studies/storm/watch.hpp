@@ -17,7 +17,8 @@ struct Fault {
   std::string sentence;
 };
 
-/// What the run knows and the robot does not. Times by the robot's clock; of cables: since when they are as they are.
+/// Facts that the run knows and the robot does not. Times by the robot's clock; of cables: since when they are as they
+/// are.
 struct Outside {
   struct Line {
     bool plugged = true;
@@ -66,7 +67,7 @@ class Watch {
     base::Time same_since;                            ///< boxes are as they are
     bool late = false;                                ///< although they should have moved
     int slow_images = 0;                              ///< such ones, one after the other
-    base::Duration slow_image;                        ///< what the last one took, and a fifth more
+    base::Duration slow_image;                        ///< the time of the last one, and a fifth more
     std::optional<sensor::OdometrySample> same_from;  ///< where the robot was then, or when odometry was well again
     std::deque<sensor::OdometrySample> samples;       ///< lately
     std::optional<base::Time> frozen;                 ///< since when they should have moved by far

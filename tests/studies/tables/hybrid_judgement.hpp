@@ -11,7 +11,7 @@
 
 namespace fencepost::test {
 
-/// One scene twice: `paper` with true flags, where the paper's algorithms are taken from; `hybrid` with the flags that
+/// One scene twice. `paper` has true flags, and the paper's algorithms are taken from it. `hybrid` has the flags that
 /// the hybrid gets, which may be the same run.
 struct ScenePair {
   host::Evaluation paper;

@@ -1,4 +1,4 @@
-// What the hybrid was meant to reach on the reference scenes (176 px, 43 degrees, sequential circle).
+// The hybrid's targets on the reference scenes (176 px, 43 degrees, sequential circle).
 #pragma once
 
 #include <array>
@@ -27,10 +27,10 @@ inline constexpr std::array<HybridTarget, 7> kHybridTargets = {{
     {"T", {121, 106, 76, 41, 17}, {103, 90, 77, 48, 19}, 4, 6, true},  // reclaims what was lost: R
 }};
 
-/// Two convex objects at level 2, all views.
+/// %, maximum R of two convex objects at level 2, all views.
 inline constexpr double kConvexRecklessness = 5;
-inline constexpr double kConvexParanoia = 8;
-inline constexpr double kConvexOverlap = 88;
+inline constexpr double kConvexParanoia = 8;  ///< %, maximum P of the same
+inline constexpr double kConvexOverlap = 88;  ///< %, minimum IoU of the same
 
 /// Mean excess of a bin may differ so much from what its confidence promises.
 inline constexpr double kConfidenceError = 0.15;

@@ -1,5 +1,5 @@
-// What the reference's camera makes of a perfect frame: one blob an object, with the noise of a level, and the truth
-// about it.
+// A perfect frame through the reference's camera: one blob an object, with the noise of a level, and the truth about
+// it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct GivenBlob {
   sensor::Blob blob;
   std::size_t object = 0;     ///< index into Scene::objects: whose it is, or whose place it takes
   bool left_hidden = false;   ///< this end is no edge of the object: the image border or a nearer object cuts it
-  bool right_hidden = false;  ///< noise is not told: a lost piece hides nothing
+  bool right_hidden = false;  ///< noise does not count: a lost piece hides nothing
   bool is_false = false;      ///< something else, taken for the object; its ends count as edges
 };
 

@@ -1,6 +1,6 @@
-// Prints R / P / IoU of every model at 2, 4, 8, 18 and 75 views on random scenes, a table a noise level and kind of
-// flags, and beside the reference if there is one. The last column is the end of the circle, whether or not all of its
-// 75 views showed the object. Fails if a cell with true flags fails against the reference.
+// Prints R / P / IoU of every model at 2, 4, 8, 18 and 75 views on random scenes. There is a table a noise level and
+// kind of flags, and one beside the reference if there is one. The last column is the end of the circle, whether or not
+// all of its 75 views showed the object. Fails if a cell with true flags fails against the reference.
 #include <algorithm>
 #include <map>
 

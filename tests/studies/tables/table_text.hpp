@@ -11,7 +11,7 @@
 
 namespace fencepost::test {
 
-/// What was compared under one kind of flags ("true", "inferred"): a level's cells, or all of them.
+/// The cells compared under one kind of flags ("true", "inferred"): those of a level, or all of them.
 struct Compared {
   std::string flags;
   std::vector<ComparedCell> cells;

@@ -26,7 +26,7 @@ struct Tour {
 /// std::runtime_error if the scene cannot be simulated.
 Tour drive_tour(host::Scene scene, const NoiseLevel& level);
 
-/// What the robot's odometry makes of the true samples, which come in order of time.
+/// The robot's odometry, from the true samples, which come in order of time.
 using OdometryNoise = std::function<sensor::OdometrySample(const sensor::OdometrySample&)>;
 
 /// The same with the poses of `odometry`.

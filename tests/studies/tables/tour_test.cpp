@@ -81,7 +81,7 @@ TEST(Tour, IsTheSameForTheSameSeed) {
   EXPECT_EQ(tour.views.size(), 75U);
 }
 
-// What is given reaches the models: with the ends called true that are not, carving loses what it would have kept.
+// The given flags reach the models: with hidden ends called true, cutting loses what it would have kept.
 TEST(GivenRun, CarvesRecklesslyWithWrongFlags) {
   double with_truth = 0;
   double without = 0;

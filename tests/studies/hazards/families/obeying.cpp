@@ -1,4 +1,4 @@
-// A robot that does what it is told: it stands before the obstacle, which has sunk below the image by then.
+// A robot that obeys: it stands before the obstacle, which has sunk below the image by then.
 #include <fmt/format.h>
 
 #include "tests/studies/hazards/scenery.hpp"

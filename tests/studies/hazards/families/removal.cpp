@@ -1,4 +1,4 @@
-// What the robot stands before is taken away.
+// The obstacle before which the robot stands is taken away.
 #include <fmt/format.h>
 
 #include "tests/studies/hazards/scenery.hpp"
