@@ -1,8 +1,11 @@
-"""Says where a robot is that you push by hand along a ruler, 0.1 m a second, and prints what it answers.
+"""Sends the poses of a robot that you push by hand along a ruler, 0.1 m a second, and prints its answers.
 
-usage: python push.py PORT [CAMERA [HEIGHT]] [--stay]     PORT as COM5, /dev/ttyACM0 or /dev/tty.usbmodem1101
-CAMERA is pixy2 or pixy2.1, HEIGHT that of its lens above the floor, in metres. --stay tells the camera's height alone, to a
-robot whose wheels count. --lines in the place of PORT prints what would be said. Needs pyserial: python -m pip install pyserial
+usage: python push.py PORT [CAMERA [HEIGHT]] [--stay]
+
+PORT as COM5, /dev/ttyACM0 or /dev/tty.usbmodem1101; --lines in its place prints what would be sent.
+CAMERA is pixy2 or pixy2.1, HEIGHT that of its lens above the floor, in metres.
+--stay sends the camera's height alone, to a robot whose wheels count.
+Needs pyserial: python -m pip install pyserial
 """
 import sys
 import time

@@ -57,7 +57,7 @@ class Signature(typing.NamedTuple):
     signature: int
     rgb: str
     name: str
-    width: typing.Optional[float] = None  # m, where it was told
+    width: typing.Optional[float] = None  # m, where configured
 
 
 class Odometry(typing.NamedTuple):
