@@ -47,7 +47,7 @@ focal = FOCAL[camera]
 say(f"FPCAM,{camera},316,208,{focal:.2f},{focal:.2f},157.50,103.50,0.0000,0.0000,0.0000,{height:.4f},0.0000,0.0000,0.0330")
 say("FPSIG,1,d02020,red")
 if port is not None:
-    print("Told." if stay else "Push in 3 s.", flush=True)
+    print("Sent." if stay else "Push in 3 s.", flush=True)
 start = time.monotonic() + 3
 while (t := time.monotonic() - start) < (-2 if stay else 8):
     if not stay:

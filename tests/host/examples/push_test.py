@@ -92,7 +92,7 @@ class Push(unittest.TestCase):
     def test_a_robot_whose_wheels_count_is_told_the_camera_alone(self):
         said, printed, _ = play("COM5", "pixy2", "0.1", "--stay")
         self.assertEqual([body.split(",")[0] for body in bodies(text for _, text in said)], ["FPCAM", "FPSIG"])
-        self.assertIn("Told.", printed)
+        self.assertIn("Sent.", printed)
 
     def test_lines_are_printed_without_pyserial(self):
         said, printed, end = play("--lines")
