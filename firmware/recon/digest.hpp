@@ -3,7 +3,7 @@
 //   - every frame: previous digest, frame number, exposure, pose, number of objects, next id;
 //   - each object seen in the frame: who it is, its views, its estimate;
 //   - one slot in turn (frame count modulo capacity), if used: one of its parts, another one each round.
-//   - since which exposure the robot stands;
+//   - the exposure since which the robot is stationary;
 //   - of the guard beside the map: how many points it has, and four of them in turn;
 //   - of the check of the lens: one of its four parts in turn.
 //   - in frames that the pose correction takes: the filter's pose and covariance, how far odometry drifts.
@@ -25,15 +25,15 @@
 namespace fencepost::recon {
 
 void hash_pose(base::Fnv1a64& hash, const MapPose& pose);
-/// Of an object that the frame showed.
+/// Hashes an object that the frame showed.
 void hash_sighted(base::Fnv1a64& hash, const ObjectCore& object);
 void hash_floats(base::Fnv1a64& hash, std::span<const float> values);
 void hash_landmark(base::Fnv1a64& hash, const Landmark& landmark);
 
-/// Since when the robot stands.
+/// Hashes the exposure since which the robot is stationary.
 inline void hash_standing(base::Fnv1a64& hash, const Standing& standing) { hash.i64(standing.since().raw); }
 
-/// Of the guard, whose points take their turn by the number of frames so far.
+/// Hashes the guard; its points take turns by the number of frames so far.
 template <std::size_t kCapacity>
 void hash_guard(base::Fnv1a64& hash, const guard::Guard<kCapacity>& guard, std::uint32_t frames) {
   guard.hash(hash, frames);

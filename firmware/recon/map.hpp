@@ -14,7 +14,7 @@
 
 namespace fencepost::recon {
 
-/// Nothing is known of how wide things are.
+/// No width is configured.
 struct UnknownWidths {
   std::uint16_t operator()(std::uint8_t /*signature*/) const { return 0; }
 };
@@ -88,7 +88,7 @@ class Map {
   /// The check of the configured focal length.
   [[nodiscard]] const LensCheck& lens_check() const { return lens_check_; }
 
-  /// Where the robot is in the map, by odometry and all corrections so far.
+  /// The robot's pose in the map, by odometry and all corrections so far.
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return correction_.corrected(odometry); }
   [[nodiscard]] const PoseCorrection<Profile>& correction() const { return correction_; }
 

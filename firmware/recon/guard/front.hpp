@@ -1,4 +1,4 @@
-// Where the foot of something was seen: a point of the floor, without a notion of what stands there.
+// A point of the floor where a foot was seen. It belongs to no object.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct Front {
   std::int16_t y = 0;
   std::uint8_t frames =
       0;  ///< a bit for each of the last eight frames, in turn, that supported it: which, not how often
-  std::uint8_t doubt = 0;  ///< for how long frames have looked past it, less its support; kDoubtTicks each
+  std::uint8_t doubt = 0;  ///< time for which frames have looked past it, less its support, in kDoubtTicks
   std::uint8_t seen = 0;   ///< when it was supported last, counts of kSeenTicks modulo 256
   std::uint8_t signature = 0;
 };

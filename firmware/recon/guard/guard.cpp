@@ -63,11 +63,11 @@ class Cells {
   std::uint32_t bits_ = 0;
 };
 
-// The foot of one blob: a line across the view at one depth, for a box tells no more.
+// The foot of one blob: a line across the view at one depth, for a box gives no more.
 struct FootLine {
   bool cut = false;    // by the image's lower border: nearer than that
   bool moves = false;  // by itself: it leaves no points where it was
-  bool faint = false;  // so little of it is above that border that the next frame may not show it
+  bool faint = false;  // hardly above that border, so the next frame may not show it
   std::uint8_t signature = 0;
   std::int32_t depth = 0;    // where the foot is, or leaves the image
   std::int32_t past = 0;     // points nearer than this are looked past
@@ -88,7 +88,7 @@ struct FootLine {
   [[nodiscard]] bool ends_before(const Place& place) const {
     return cut && !faint && place.depth > 0 && place.depth <= farthest && covers(place, kSpacing);
   }
-  // It moves, and the place is where it may have been: visible or not, nothing needs to stand there.
+  // True if it moves and may have been at the place before: the place may be free, visible or not.
   [[nodiscard]] bool left_behind(const Place& place) const {
     return moves && !cut && place.depth > 0 && place.depth < past && covers(place, kSpacing);
   }
@@ -138,12 +138,12 @@ class Judgement {
  public:
   Judgement(const FloorCamera& floor, FootLines& feet) : floor_(floor), feet_(feet) {}
 
-  /// `remembered`: it was supported shortly before; `seen_from_here`: and from where the robot still stands.
+  /// `remembered`: it was supported shortly before; `seen_from_here`: since the robot is stationary.
   Verdict of(Place& place, std::uint8_t& signature, bool remembered, bool seen_from_here) {
     bool hidden = false;
     bool left_behind = false;
     bool ends_before = false;
-    bool unsure = feet_.full();  // a camera tells no more blobs than these: one that is missing may be there
+    bool unsure = feet_.full();  // the camera may have dropped a blob beyond its maximum
     for (FootLine& foot : feet_) {
       if (foot.cut && remembered) guess_nothing_beside(place, foot);
       if (foot.supports(place)) return support(foot, place, signature);

@@ -54,7 +54,7 @@ class Guard : public GuardCore {
   /// Nothing was seen yet: a new run, or another calibration.
   void clear() { static_cast<GuardCore&>(*this) = {}; }
 
-  /// `pose`: where the lens was at the exposure, by odometry; since when the robot has stood there, see Standing.
+  /// `pose`: of the lens at the exposure, by odometry. `stands_since`: see Standing.
   void look(const WaitingFrame& frame, const CameraModel& camera, const LensPose& pose, base::Time stands_since) {
     size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, pose, stands_since));
   }

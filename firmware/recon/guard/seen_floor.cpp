@@ -10,7 +10,7 @@ namespace fencepost::recon::guard {
 namespace {
 
 constexpr std::int32_t kUnitsPerMm = kMapUnitsPerMetre / 1000;
-// Of a cell whose middle is so far from a border, all of it is inside: half of its diagonal.
+// mm from a border beyond which a cell's centre has the whole cell inside: more than half of its diagonal.
 constexpr std::int32_t kCellMargin = kFloorCell * 3 / 4;
 
 // The part of the floor that an image shows: between its columns, and by strips of them up to the nearest foot.
@@ -21,7 +21,7 @@ class View {
     left_ = floor.leftmost_visible();
     right_ = floor.rightmost_visible();
     strip_ = std::max((left_ - right_) / kStrips, std::int32_t{1});
-    // The ray of the lowest row is so high above the floor at a share of its way: as the rest of the lens's height.
+    // The ray of the lowest row falls from the lens's height to the floor; kMinHeight is reached at the same share.
     const auto height = nearest_whole(kMillimetresPerMetre * camera.height);
     nearest_ = floor.nearest_visible();
     if (height > 0) nearest_ -= nearest_ * std::min(kMinHeight, height) / height;

@@ -17,8 +17,8 @@ inline constexpr int kSpacingLog2 = 6;  ///< log2 of kSpacing
 inline constexpr std::int32_t kSpacing = 1 << kSpacingLog2;
 /// mm along the optical axis. A front that is farther is not kept: its row says little. By design.
 inline constexpr std::int32_t kFarthest = 1500;
-/// mm. What is farther from the robot is forgotten: what odometry drifts on such a way is less than the margin of a
-/// robot. By design.
+/// mm. Points farther from the robot are deleted. Odometry drifts by less than a robot's margin on such a way. By
+/// design.
 inline constexpr std::int32_t kForgotten = 2000;
 /// Assumed depth of an unseen foot, in 1/16 of the nearest visible depth. Higher: late stops at what was never seen
 /// whole; lower: false ones (14: two fewer in 81 minutes). Derived: as the models have it.
@@ -45,7 +45,7 @@ inline constexpr std::int32_t kPastRows = kSupportRows + 4;
 inline constexpr auto kEdgePixels = static_cast<std::int32_t>(kUsualSigmas * kEdgeNoise);
 /// mm to the side. Derived: a quarter of the way to the next point.
 inline constexpr std::int32_t kSideSlack = kSpacing / 4;
-/// mm. A supported point takes half of a step that is at least so long: shorter ones are rounding. By design.
+/// mm, minimum step of a supported point, which takes half of it: shorter steps are rounding. By design.
 inline constexpr std::int32_t kMinStep = 4;
 
 // --- how long ---
@@ -56,8 +56,9 @@ inline constexpr base::Duration kRefutedAfter = base::milliseconds(300);
 /// Of the frames that show neither support nor floor behind a visible point, one in this many counts against it. A
 /// power of two. By design.
 inline constexpr unsigned kUnsureFrames = 8;
-/// A point that fewer than kFewestViews frames have supported is forgotten after so long without support. So is where
-/// a foot was before it left the image. More: noise below the image adds up; less: slow cameras see nothing. Flat.
+/// Time without support after which a point that fewer than kFewestViews frames have supported is deleted. The last
+/// position of a foot that left the image is kept for as long. More: noise below the image adds up; less: slow cameras
+/// see nothing. Flat.
 inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
 /// log2 of the tolerance, a fraction of the nearest visible depth, for matching an unseen foot to its last position in
 /// the image. Flat.

@@ -47,7 +47,7 @@ struct Jacobian {
   float radius = 1;
 };
 
-// Of an equation whose normal is this one in map axes.
+// The Jacobian of an equation with this normal in map axes.
 Jacobian jacobian_of(const Vec2& normal, const Vec2& away, float radii) {
   return {normal, left_of(normal).dot(away), radii};
 }
@@ -70,7 +70,7 @@ class Projection {
         own_(covariance_.radius(slot)),
         out_(out) {}
 
-  /// Of the states that the equation is about. J P J'.
+  /// Computes the step of the states in the equation and returns J P J'.
   [[nodiscard]] float own() const {
     for (const std::size_t i : {std::size_t{kX}, std::size_t{kY}, std::size_t{kHeading}, x_of(slot_), y_of(slot_)}) {
       project_place(i);
@@ -79,7 +79,7 @@ class Projection {
     return along(jacobian_, slot_, [&](std::size_t j) { return out_[j]; }) +
            jacobian_.radius * out_[covariance_.places() + slot_];
   }
-  /// Of all others.
+  /// Computes the step of all other states.
   void others() const {
     for (std::size_t l = 0; l < landmarks_; ++l) {
       if (l == slot_) continue;
@@ -168,7 +168,7 @@ void move_states(const FilterView& filter, std::span<const float> step) {
   }
 }
 
-// A tangent that would move anything so far is not to be trusted.
+// False if the tangent would move any state by kFarthestStep or more: it is not trusted then.
 bool is_plausible(std::span<const float> projected, float gain) {
   return std::all_of(projected.begin(), projected.end(),
                      [gain](float part) { return std::fabs(part * gain) < kFarthestStep; });

@@ -1,5 +1,5 @@
-// Pose correction: an extended Kalman filter over the robot's pose and the landmarks that it has seen, circles that
-// stand still. It knows no camera and no object: odometry and tangents in the robot frame come in, poses go out.
+// Pose correction: an extended Kalman filter over the robot's pose and its landmarks, which are static circles. It
+// knows no camera and no object: odometry and tangents in the robot frame come in, poses go out.
 //
 // A tangent n.q = b of a circle (c, r), robot frame, gives the equation n.R'(c - P) + r = b. It is linear in (c, r) and
 // one number, so no matrix is inverted. Half the sum and half the difference of two such equations have the same form.
@@ -20,17 +20,17 @@
 
 namespace fencepost::recon {
 
-/// How fast odometry forgets where it is, as random walks: a step of any length adds the same a metre.
+/// Noise of odometry as random walks: a step of any length adds the same variance for each metre.
 struct DriftNoise {
   float position = 0;  ///< m/sqrt(m) driven
   float heading = 0;   ///< rad/sqrt(m) driven
   float turning = 0;   ///< rad/sqrt(rad) turned
 };
 
-/// Of a wheel base whose distances are off by `share`.
+/// The noise of a wheel base whose distances are off by `share`.
 constexpr DriftNoise drift_noise(float share) { return {kDriftPosition * share, kDriftHeading * share, share}; }
 
-/// Something round that stands still. Map frame.
+/// A static circle. Map frame.
 struct Landmark {
   MapPoint center;
   float radius = 0;  ///< m; 0: there is none
@@ -113,18 +113,17 @@ void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNois
 void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess);
 void forget_landmark(const FilterView& filter, std::size_t slot);
 
-/// Takes one equation of the landmark in `slot`: `variance` (m^2) of its bound, non-roundness included.
-/// It is left out if its bound is known better than the share
-/// `least_told` of that. Residuals beyond two sigmas count as Huber has it. `step` has states_of() elements; if it was
-/// used it then holds by how much each state was moved (m, rad). Cost: (places^2 + 4 places * landmarks)
-/// multiplications.
+/// Updates the filter with one equation of the landmark in `slot`; `variance` (m^2) of its bound, non-roundness
+/// included. The equation is left out if the prior variance of its bound is below the share `least_told` of that.
+/// Residuals beyond two sigmas count less, by Huber's weight. `step` has states_of() elements; after an update it holds
+/// the step of each state (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
                        std::span<float> step, float least_told = 0);
 
 /// The landmark relative to the robot: its centre from the pose's position, map axes. The covariance is that of the
 /// difference and includes the heading's part.
 CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
-/// Of the packed covariances of the pose.
+/// The sigmas of the pose, from its packed covariances.
 PoseSigma pose_sigma(std::span<const float> covariance);
 /// Squared distance of another pose from the filter's, in sigmas of the filter's (Mahalanobis, 3 degrees of freedom).
 float distance_to(const FilterView& filter, const MapPose& other);

@@ -34,14 +34,14 @@ RowDepth foot_depth(const Sighting& seen, const MeasurementNoise& noise) {
   return {true, depth, depth * depth * angle2 / (drop * drop) + noise.position * noise.position};
 }
 
-/// How far away a circle of such a radius is, m.
+/// The estimated distance of a circle, m.
 struct RangeGuess {
   float distance = 0;
   float variance = 0;
   float with_radius = 0;  ///< covariance
 };
 
-// With a configured radius the half angle between both ends tells the range. A wrong heading does not change that.
+// With a configured radius the half angle between both ends gives the range. A wrong heading does not change that.
 RangeGuess range_of_width(const Sighting& seen, float half, const RadiusPrior& radius, MeasurementNoise noise) {
   noise.heading = 0;
   const float distance = radius.mean / half;

@@ -56,7 +56,7 @@ template <class Profile>
 class PoseCorrection {
  public:
   static constexpr std::size_t kLandmarks = Profile::kObjects;
-  /// Where there is no time for all that is seen, there is none for all frames.
+  /// A profile without time for all landmarks of a frame has none for all frames either.
   static constexpr LandmarkPace kPace = Profile::kLookTurns < kLandmarks ? kPaceOfRobots : kPaceOfDesks;
 
   /// A new run: the map frame is that of the odometry.
@@ -90,9 +90,9 @@ class PoseCorrection {
   [[nodiscard]] bool running() const { return running_; }
   /// Takes the latest frame.
   [[nodiscard]] bool looks() const { return looks_; }
-  /// For the digest: how often it did, whose parts take turns by that.
+  /// Number of frames taken, modulo 256; the digest's parts take turns by it.
   [[nodiscard]] std::uint8_t looks_taken() const { return looks_taken_; }
-  /// Odometry is not believed any more.
+  /// True since odometry is known to drift.
   [[nodiscard]] bool corrects() const { return corrects_; }
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return recon::corrected(at_, odometry); }
   [[nodiscard]] const DriftEvidence<kLandmarks>& evidence() const { return evidence_; }
@@ -117,9 +117,10 @@ class PoseCorrection {
     look.turn = {turn.cos, turn.sin};
     return look;
   }
-  /// For matching: where the object in `slot` is, in its local frame, if it is a landmark. Of that the filter knows how
-  /// far the pose has drifted away since it was seen, which closes the loop. What wheels do wrong has no Gaussian's
-  /// short tails, so it may be farther. While odometry is believed, the models know better of what stays in view.
+  /// For matching: the object in `slot` by its landmark, in its local frame. The filter knows how far the pose has
+  /// drifted since the object was seen, which closes the loop. Errors of wheels have longer tails than a Gaussian, so a
+  /// correcting filter widens the covariance. Nothing if there is no landmark. Nothing for an object in view that
+  /// agrees with its landmark either, as long as odometry gives the pose.
   [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot, const Look& look) {
     if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
     const Vec2 away = offset_from(pose().position, filter_.landmark(slot).center);
@@ -155,7 +156,7 @@ class PoseCorrection {
       if (!filter_.landmark(next_).used() || !matcher.seen(next_)) continue;
       if (matcher.observation_of(next_).moves) continue;
       const Sighting seen = make_sighting(camera, {{}, camera.position, camera.yaw}, matcher.observation_of(next_));
-      // While the robot stands its shape error is the same in every view, so it counts as little as the view is novel.
+      // While the robot is stationary, the shape error is the same in every view, so the view counts by its novelty.
       const float novelty = objects[next_].novelty(lens.lens_from(objects[next_].origin));
       const SightedCircle circle = circle_of(next_, seen, camera, novelty, noise);
       if (!corrects_) weigh(circle.middle(), next_, objects[next_], driven);
@@ -184,7 +185,7 @@ class PoseCorrection {
       const bool may_be = object.used() && !object.moving && object.views >= kFewestViews;
       if (filter_.landmark(o).used() || !may_be || !matcher.seen(o)) continue;
       if (strayers_.bars(o, object.signature)) continue;
-      // By the pose that the models know, and turned as the filter's is against that.
+      // The guess is made with the models' pose, then rotated into the filter's heading.
       const MapPose believed = corrected(filter_.at().odometry);
       const Sighting seen = make_sighting(camera, lens_pose(believed, camera), matcher.observation_of(o));
       if (!guesses_ && !seen.rows_known && !(seen.known_radius > 0) && !seen.bearing) continue;
@@ -244,7 +245,7 @@ class PoseCorrection {
            distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
   }
 
-  // So near that stands_there() holds, however well either knows it: mostly that is so, and variances cost more.
+  // So near that stands_there() holds with any variances. This is the usual case and saves computing them.
   [[nodiscard]] static bool stands_near(const ObjectCore& object, const Vec2& center) {
     const CylinderEstimate& estimate = object.cylinder.estimate();
     return estimate.ok() && (center - estimate.center).squared_norm() < 0.5F * kAcross * kAcross;
@@ -268,7 +269,7 @@ class PoseCorrection {
            offset_from(last.position, odometry.position).squared_norm() > interval.step * interval.step;
   }
 
-  // Objects stand where their landmarks do; what they look like, their models find out for themselves.
+  // Moves each object to its landmark. Its shape stays that of its models.
   template <class Objects>
   void place(Objects& objects) {
     for (std::size_t o = 0; o < kLandmarks; ++o) {

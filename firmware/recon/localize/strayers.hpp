@@ -1,4 +1,4 @@
-// Objects that move and were taken for landmarks: what makes them known.
+// Detects landmarks that move.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace fencepost::recon {
 
-/// Which objects are no landmarks: again and again they are not where they should be, whatever the pose. Once that was
-/// so of two objects of a signature, among the last four, it is so of all.
+/// The objects that are no landmarks, because their innovations stay large whatever the pose. If two of the last four
+/// such objects have one signature, no object of that signature is a landmark any more.
 template <std::size_t kLandmarks>
 class Strayers {
  public:

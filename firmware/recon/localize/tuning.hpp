@@ -24,7 +24,7 @@ inline constexpr float kLargestLandmark = 1.0F;
 inline constexpr float kSizeShare = 0.5F;
 /// m, sigma of a first place beside its bearing. Drift study.
 inline constexpr float kAcross = 0.03F;
-/// m. Farther away nothing is guessed. By design.
+/// m, maximum distance of a first guess. By design.
 inline constexpr float kFarthestLandmark = 10.0F;
 /// sine of the half angle under which a landmark is seen, at most: the lens is not inside the circle. By design.
 inline constexpr float kWidestSine = 0.95F;
@@ -36,7 +36,7 @@ inline constexpr float kStartVariance = 1e-6F;
 /// sigmas. Farther off than this a tangent is not this landmark's. Beyond kUsualSigmas it counts less, as Huber has it.
 /// A gate at the third loses loops for good, since nothing that is gated brings the pose back. Real runs.
 inline constexpr float kFilterGateSigmas = 10.0F;
-/// m and rad. One tangent does not move a robot or a landmark farther: the numbers are wrong. By design.
+/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. By design.
 inline constexpr float kFarthestStep = 2.0F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
 inline constexpr float kRounding = 1e-6F;
@@ -49,7 +49,7 @@ inline constexpr float kDriftGain = 0.03F;
 inline constexpr float kMaxSurprise = kGateSigmas * kGateSigmas;
 /// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. By design.
 inline constexpr float kMaxDrift = 400.0F;
-/// The filter takes a frame each time the robot has gone (m) or turned (urad) so far.
+/// Way (m) or turn (urad) of the robot after which the filter takes the next frame.
 struct LookInterval {
   float step = 0;
   std::int32_t turn = 0;
@@ -67,10 +67,10 @@ struct LandmarkPace {
   /// where feet are far from the lens's axis. More: a drifting map for longer.
   float evidence = 0;
 };
-/// Of profile full: desks and Linux. By design. Evidence: real runs, and seven drives of KITTI, each with three
-/// pitches. With 24 two of these 21 are harmed, with 32 and 40 none.
+/// For profile full, that is desks and Linux. By design. The evidence is from real runs and from seven drives of KITTI,
+/// each with three pitches. With 24 two of these 21 are harmed, with 32 and 40 none.
 inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 32.0F};
-/// Of small profiles: half as much evidence of half as many looks. Drift study with profile small, loops 500 to 529,
+/// For small profiles: half as much evidence from half as many looks. Drift study with profile small, loops 500 to 529,
 /// also with five times the frames.
 inline constexpr LandmarkPace kPaceOfRobots{{0.08F, 160'000}, {0.04F, 80'000}, 0.02F, true, 6.0F};
 /// Gain of the running mean of surprises. By design.
@@ -105,7 +105,8 @@ inline constexpr float kCorrectedPosition = 1.5F * kPositionNoise;
 /// urad of heading between the frames that are compared. More: objects leave the image before; less: the noise of
 /// headings and edges counts more. By design.
 inline constexpr std::int32_t kLensTurn = 150'000;
-/// urad for each 0.1 ms: slower, odometry's rounding is a share of what it tells. Derived: kLensTurn in a second.
+/// urad for each 0.1 ms, minimum turn rate: slower, odometry's rounding counts too much. Derived: kLensTurn in a
+/// second.
 inline constexpr auto kLensLeastRate = static_cast<std::int32_t>(kLensTurn / base::Duration::kPerUnit);
 /// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
 /// the turn by a tenth. By design.
@@ -114,19 +115,19 @@ inline constexpr float kLensSteady = 2.0F;
 inline constexpr float kLensMostParallax = 0.25F;
 /// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. By design.
 inline constexpr float kLensNearest = 0.3F;
-/// A sample off by more than this factor is something else's. By design.
+/// Factor beyond which a sample is an outlier. By design.
 inline constexpr float kLensMostOff = 2.5F;
 /// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. By
 /// design.
 inline constexpr float kLensSampleSigma = 0.015F;
-/// Objects followed, or one twice, before anything is said. By design.
+/// Objects followed, or one twice, before the first verdict. By design.
 inline constexpr std::uint8_t kLensObjects = 2;
-/// Samples before anything is said. Derived: two of each object.
+/// Samples before the first verdict. Derived: two of each object.
 inline constexpr std::uint8_t kLensLeastSamples = 2 * kLensObjects;
 /// Samples at which half is forgotten. By design.
 inline constexpr std::uint8_t kLensMostSamples = 64;
-/// The focal length is wrong from this factor and so many sigmas on, and right again below these. Less: complaints
-/// about lenses that do no harm, and about wheels. Hazard table (bases).
+/// Thresholds of the factor and of its significance in sigmas. The focal length is wrong above kLensWrong, and right
+/// again below kLensRight. Less: complaints about lenses that do no harm, and about wheels. Hazard table (bases).
 struct LensGate {
   float factor;
   float sigmas;

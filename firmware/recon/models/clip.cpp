@@ -126,8 +126,8 @@ Cut careful_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half
   return cut;
 }
 
-// Where there are vectors and room for all distances. The same for the usual case: the vertices outside are one run,
-// and the others are the run around the innermost one.
+// The same for the usual case, on processors with vectors and room for all distances. There the vertices outside are
+// one run, and the others are the run around the innermost one.
 [[maybe_unused]] Cut quick_cut(std::span<const Vec2> v, std::size_t size, const HalfPlane& half_plane) {
   std::array<float, kMaxVertices> d;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   unsigned outside = 0;

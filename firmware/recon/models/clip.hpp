@@ -16,7 +16,7 @@ inline constexpr float kShallowestCut = 1e-6F;
 /// Half the side of the square in which every model of an object lives, around its first estimated centre. m.
 inline constexpr float kArenaHalfSide = 2.0F;
 
-/// Of a polygon that clip_convex takes.
+/// Maximum number of vertices of a polygon for clip_convex.
 inline constexpr std::size_t kMaxVertices = 256;
 
 struct Bounds {

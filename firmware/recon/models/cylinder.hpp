@@ -88,7 +88,7 @@ class Cylinder {
   void solve(const Vec2& lens, const Vec2& bearing, const MeasurementNoise& noise);
 
   void move_origin(const Vec2& shift);
-  /// Rows come from another calibration from now on: whether they are to be believed is not known.
+  /// Rows come from another calibration from now on: their trend begins anew.
   void recalibrated() { trend_ = {}; }
   void hash(base::Fnv1a64& hash) const;
 
@@ -102,7 +102,7 @@ class Cylinder {
     return !(edges.rr > 0) && edges.xx + edges.yy > 0;
   }
   [[nodiscard]] float row_count() const { return row_count_; }
-  /// Whether the object's rows are to be believed.
+  /// The verdict on the object's rows.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
   /// m; 0: not configured.
   [[nodiscard]] float known_radius() const { return known_radius_; }

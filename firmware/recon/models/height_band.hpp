@@ -1,4 +1,4 @@
-// From the rows of the boxes to the height band of an object, given where it stands.
+// The height band of an object, from the rows of its boxes and its place.
 #pragma once
 
 #include "firmware/recon/geometry.hpp"

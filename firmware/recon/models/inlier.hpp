@@ -1,4 +1,4 @@
-// How far a tangent is to be believed, given what the model says of it.
+// The inlier probability of a tangent, given its residual from the model.
 #pragma once
 
 #include <algorithm>

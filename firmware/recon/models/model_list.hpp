@@ -22,14 +22,14 @@ concept Model = requires(M model, const ModelView& view, const Sighting& first, 
   model.start(first, origin);  ///< a new object: forgets everything
   model.add(view);
   model.move_origin(shift);  ///< the local origin is elsewhere by `shift` (m); the object has not moved
-  model.shift(shift);        ///< the object stands elsewhere in the map by `shift` (m), and its origin with it
+  model.shift(shift);        ///< the object and its origin have moved in the map by `shift` (m)
 };
 
 template <class First, Model... Others>
 class ModelList;
 
-/// The cylinder comes first in every list: tracking, alerts and the place of the others stand on it. It lives in the
-/// object's core, so that what does not depend on the profile can use it; the list holds the others.
+/// The cylinder comes first in every list: tracking, alerts and the place of the others depend on it. It lives in the
+/// object's core, so that code without a profile can use it. The list holds the others.
 template <Model... Others>
 class ModelList<Cylinder, Others...> {
  public:

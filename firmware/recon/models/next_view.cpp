@@ -14,7 +14,8 @@ constexpr float kTwoPi = 2 * 3.14159265F;
 constexpr float kNewsOfArc = 0.7F;
 /// Share of the gain that half the way round the object costs. By design.
 constexpr float kPriceOfWay = 0.05F;
-/// of a side's sigma: what another view takes from it, beside what it cuts off. Next-view study, seeds 8001 to 8060.
+/// Weight of the gain by which another view lowers a side's sigma, beside the area that it cuts off. Next-view study,
+/// seeds 8001 to 8060.
 constexpr float kOfSigma = 0.1F;
 /// Factor on the cube of a small angle between two tangents to a circle of radius 1. It gives the area of their corner
 /// beyond the chord between the points of contact.
@@ -145,7 +146,7 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   // A tangent's normal is a quarter turn from the view, less the angle that the radius takes up.
   const float edge_on = (0.25F - std::min(radius / distance, 1.0F) / kTwoPi) * static_cast<float>(nodes);
   const auto aside = static_cast<std::size_t>(edge_on + 0.5F);
-  // 0 where nobody can stand
+  // 0 where the robot cannot be
   const auto news = [&](std::size_t k) {
     if (!is_free(distance * node_direction(k, nodes), others, clearance)) return 0.0F;
     return told[(k + aside) % nodes] + told[(k + nodes - aside) % nodes];

@@ -1,4 +1,4 @@
-// From where an object should be looked at next: the arc whose views would tell most about its outline.
+// The next best view of an object: the arc whose views would add most to its outline.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace fencepost::recon {
 
-/// Something round that a robot does not stand in. Metres, local frame of the outline.
+/// A disc that the robot must not enter. Metres, local frame of the outline.
 struct Disc {
   Vec2 center{0, 0};
   float radius = 0;
@@ -18,7 +18,7 @@ struct Disc {
 enum class NextViewRefusal : std::uint8_t {
   kNone,
   kNoOutline,  ///< there is no outline yet: any view that moves sideways helps
-  kBlocked,    ///< something stands at each place from where it could be seen
+  kBlocked,    ///< each place from where it could be seen is occupied
 };
 
 /// Directions are those of the camera as seen from the object, map axes.

@@ -32,7 +32,7 @@ void RowTrend::judge() {
   const float spread = this->spread();
   if (!(spread > kMinSpread)) return;
   const float fall = (travel_ * range_ / weight_ - travel_range_) / spread;
-  // Of noise; of a foot that is another point of the object from elsewhere; of the robot's own error.
+  // The sum of three variances: noise, a foot that wanders on the object, and the error of the robot's way.
   const float sigma = std::sqrt((1 + kFootWanders * kFootWanders * weight_) / spread + kTravelError * kTravelError);
   const float off = fall - 1;
   if (std::fabs(off) <= std::max(kTrendGate * sigma, kMinTrend)) {

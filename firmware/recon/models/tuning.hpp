@@ -86,7 +86,7 @@ inline constexpr float kFootWanders = 0.004F;
 inline constexpr float kAheadForTrend = 0.35F;
 /// Sine of the angle by which the object may be seen from another side. By design.
 inline constexpr float kSameSide = 0.25F;
-/// Weighted square of the way, as 1 / sigma^2 of that share, below which nothing is judged. By design.
+/// Minimum weighted square of the way, as 1 / sigma^2 of that share, for a verdict. By design.
 inline constexpr float kMinSpread = 10;
 /// sigmas beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kTrendGate = 4.0F;
@@ -99,11 +99,11 @@ inline constexpr float kMinTrueShare = 0.4F;
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;
 /// m. A larger radius is a contradiction, not an obstacle of a small robot. By design.
 inline constexpr float kLargestRadius = 1.5F;
-/// Share that one more tangent, or one more sighting of a landmark, makes of the mean agreement. By design.
+/// Gain of the running mean of agreement, for each tangent and each sighting of a landmark. By design.
 inline constexpr float kAgreementGain = 1.0F / 16.0F;
 /// Mean agreement below which the past is forgotten. By design.
 inline constexpr float kAgreementFloor = 0.35F;
-/// Factor on the past in each view in which it is. By design.
+/// Factor on past information in each view with such an agreement. By design.
 inline constexpr float kForgetting = 0.8F;
 /// 1/m^2. Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose digits.
 inline constexpr float kMaxInformation = 4.0e7F;

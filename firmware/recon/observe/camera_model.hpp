@@ -24,7 +24,7 @@ struct CameraModel {
   Vec2 position{0, 0};       ///< robot frame, m
   float edge_px = 1;         ///< px, sigma of a box edge
   float height = 0;          ///< of the lens above the floor, m
-  bool pitch_known = false;  ///< false: ground rows say nothing
+  bool pitch_known = false;  ///< false: ground rows give no depth
   bool bent = false;         ///< straight lines are not straight in the image
   bool equidistant = false;
   std::int16_t width = 2;
@@ -33,7 +33,7 @@ struct CameraModel {
   FloorCamera floor;  ///< the same numbers, for the floor
 };
 
-/// px, sigma of a box edge of a camera with so many columns, where nothing better is known.
+/// px, default sigma of a box edge of a camera with this many columns.
 float nominal_edge_noise(std::int16_t columns);
 
 CameraModel make_camera_model(const sensor::CameraIntrinsics& intrinsics);
@@ -52,7 +52,7 @@ inline float right_edge(const Box& box) { return static_cast<float>(box.x2) + 0.
 inline float top_edge(const Box& box) { return static_cast<float>(box.y1) - 0.5F; }
 inline float bottom_edge(const Box& box) { return static_cast<float>(box.y2) + 0.5F; }
 
-/// Of which sides of a box something is so.
+/// A flag for each side of a box.
 struct Sides {
   bool left = false;
   bool right = false;

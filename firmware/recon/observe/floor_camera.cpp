@@ -107,7 +107,7 @@ FloorCamera::Pair FloorCamera::at(std::int32_t twice_left, std::int32_t twice_ri
           on(row, normalised(8 * twice_right - centre_u_, per_px_x_))};
 }
 
-// The foot of what is there appears between the middle row and the last one that the border does not cut.
+// The foot of such an object appears between the middle row and the last one that the border does not cut.
 void FloorCamera::find_limits(std::int32_t columns, std::int32_t rows) {
   const std::int32_t low = 2 * rows - 5;
   const std::int32_t left = 2 * kSidePixels;

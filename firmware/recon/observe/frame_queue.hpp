@@ -16,7 +16,7 @@ namespace fencepost::recon {
 struct WaitingBlob {
   Box box;
   std::uint8_t signature = 0;
-  bool moves : 1 = false;    ///< by itself: what was found out about it, the camera does not say so
+  bool moves : 1 = false;    ///< by itself; found by looming, not reported by the camera
   bool bearing : 1 = false;  ///< see sensor::Blob: the box has no width and no foot
 };
 

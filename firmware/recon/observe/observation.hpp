@@ -15,8 +15,8 @@ enum class End : std::uint8_t {
   kSeen,        ///< the object's own edge
   kAmbiguous,   ///< an edge, but so near a neighbour or the border that it may be cut short: the hybrid, which can do
                 ///< without, takes a lower bound; all others an edge
-  kLowerBound,  ///< at the border or behind a neighbour: the object reaches at least so far
-  kOccluded,    ///< another object's edge, or none: says nothing of this one
+  kLowerBound,  ///< at the border or behind a neighbour: the object reaches at least to there
+  kOccluded,    ///< another object's edge, or none
 };
 
 constexpr bool is_edge(End end) { return end == End::kSeen || end == End::kAmbiguous; }

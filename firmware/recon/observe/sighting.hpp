@@ -11,8 +11,8 @@
 
 namespace fencepost::recon {
 
-/// How well edges and poses are known. Over-estimate rather than under-estimate (measured: twice too large costs
-/// nothing, twice too small does).
+/// The noise of edges and poses. It is better over-estimated than under-estimated: measured, twice too large costs
+/// nothing, twice too small does.
 struct MeasurementNoise {
   float edge_px = kEdgeNoise;       ///< px, sigma of one box edge
   float heading = kHeadingNoise;    ///< rad, sigma of the pose's heading at one exposure
@@ -50,7 +50,7 @@ struct Sighting {
   bool bearing = false;      ///< of the object's middle alone, by `center`
   bool equidistant = false;  ///< a column is the same angle everywhere
   bool cut_at_side = false;  ///< the image's left or right border cuts the blob
-  bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row tells a depth
+  bool rows_known = false;   ///< the camera's pitch and height are known: the bottom row gives a depth
 
   /// The lens in a local frame with map axes.
   [[nodiscard]] Vec2 lens_from(MapPoint origin) const { return offset_from(origin, anchor) + lens; }
@@ -112,7 +112,7 @@ struct RowDepth {
 /// Returns the middle of the remaining range, with a sigma that covers it. Known only if the bottom is censored.
 RowDepth hidden_row_depth(const Sighting& sighting);
 
-/// Of a bottom that is not seen where it disappears: the foot is no farther than that. Not known if it is seen, or if
+/// The maximum depth of an unseen foot: it is no farther than where it disappears. Not known if the foot is seen, or if
 /// the row is another object's.
 RowDepth farthest_row_depth(const Sighting& sighting, const MeasurementNoise& noise);
 

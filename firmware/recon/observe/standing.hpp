@@ -12,7 +12,7 @@ namespace fencepost::recon {
 
 class Standing {
  public:
-  /// Where the robot was at an exposure, by odometry. One that only wavers stands.
+  /// Adds the robot's pose at an exposure, by odometry. A robot whose pose only jitters is stationary.
   void look(const MapPose& odometry, base::Time exposure) {
     strays_ = is_near(odometry) ? std::uint8_t{0} : static_cast<std::uint8_t>(strays_ + 1);
     const bool stays = started_ && strays_ < kFewestViews;

@@ -12,15 +12,15 @@ namespace fencepost::recon {
 
 /// Frames or views that must show a thing before anything relies on it: fewer may be noise. As `confirm.k` by default.
 inline constexpr std::uint8_t kFewestViews = 3;
-/// sigmas. Farther off than this, a measurement and what was predicted of it disagree. More: swaps between objects;
-/// less: objects seen double. By design.
+/// Sigmas of the gate, beyond which a measurement disagrees with its prediction. More: swaps between objects; less:
+/// objects seen double. By design.
 inline constexpr float kGateSigmas = 3.0F;
 /// sigmas. Noise seldom reaches this far; beyond it a measurement counts less. Real runs, as Huber's tails.
 inline constexpr float kUsualSigmas = 2.0F;
 /// sigmas. Noise does not reach this far in a whole run. By design.
 inline constexpr float kSurelySigmas = 5.0F;
-/// Within this time nothing changes that was not seen to: a gap in odometry is bridged, an object is still in view.
-/// Something that lasted longer is so: the robot stands, an object is missing. By design.
+/// Time for which the last state is assumed to hold: a gap in odometry is bridged, an object is still in view. A state
+/// that lasts longer is taken as a fact: the robot is stationary, an object is missing. By design.
 inline constexpr base::Duration kMoment = base::milliseconds(500);
 
 // --- the image ---
@@ -41,22 +41,22 @@ inline constexpr std::size_t kMaxWaitingFrames = 4;
 
 // --- how well edges and poses are known, one sigma each; too large costs little, too small does ---
 
-/// px of a camera with kNoiseColumns columns or more. A setting overrides it (`camera.noise`). Where 1.2 px came from
-/// was not kept.
+/// px of a camera with kNoiseColumns columns or more. A setting overrides it (`camera.noise`). The source of 1.2 px was
+/// not kept.
 inline constexpr float kEdgeNoise = 1.2F;
 /// Columns below which the sigma falls with them: a pixel is wider there than the ragged edge of a segment. By design.
 inline constexpr float kNoiseColumns = 160;
 /// px, below which it does not fall. By design.
 inline constexpr float kMinEdgeNoise = 0.75F;
 /// px. Two blobs this close touch, and a blob this close to the border: whole pixels of both, and the gate of an edge.
-/// More: true edges are given up; less: a neighbour's edge is taken for one's own. Derived; the identity study agrees
-/// (4 % of the edges given up, 0 % taken wrongly, without noise).
+/// More: true edges are given up; less: a neighbour's edge counts as the object's own. Derived; the identity study
+/// agrees (4 % of the edges given up, 0 % taken wrongly, without noise).
 inline constexpr int kTouchPixels = 2 * kBorderPixels + static_cast<int>(kGateSigmas * kEdgeNoise);
 /// px. Within this of a neighbour an end is ambiguous. Too large costs little, since a lower bound is left. Derived:
 /// the same with the gates of both edges.
 inline constexpr int kBesidePixels = 2 * kBorderPixels + 2 * static_cast<int>(kGateSigmas * kEdgeNoise);
-/// px. What is at least so large in the image, both ways, is clearly seen: the next frame from the same place shows it,
-/// too. Derived: kSurelySigmas of an edge on either side.
+/// px, minimum width and height of a box that is clearly seen: the next frame from the same place shows it, too.
+/// Derived: kSurelySigmas of an edge on either side.
 inline constexpr auto kClearPixels = static_cast<std::int16_t>(2 * kSurelySigmas * kEdgeNoise);
 /// px, of a box's bottom row. By design.
 inline constexpr float kRowNoise = 1.0F;

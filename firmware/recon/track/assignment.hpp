@@ -30,7 +30,7 @@ struct AssignmentColumn {
 void assign(std::span<const std::uint8_t> costs, std::size_t objects, std::span<std::uint8_t> object_of,
             std::span<AssignmentColumn> scratch);
 
-/// Of at most `kObjects` objects.
+/// The same for at most `kObjects` objects.
 template <std::size_t kObjects>
 [[gnu::noinline]] void assign(std::span<const std::uint8_t> costs, std::span<std::uint8_t> object_of) {
   std::array<AssignmentColumn, kObjects + sensor::kMaxBlobs + 1> scratch{};

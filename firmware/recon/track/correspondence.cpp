@@ -42,7 +42,7 @@ bool has_outer_end(const Prediction& prediction, std::int16_t seen, End end, con
   return !is_edge(end) || !(prediction.depth > 0) || agrees(seen, line);
 }
 
-// By how much an end is off, and how much it may be.
+// The deviation of an end, and its tolerance.
 struct OffBy {
   std::int32_t pixels = 0;
   std::int32_t tolerance = 1;

@@ -16,15 +16,15 @@
 
 namespace fencepost::recon {
 
-/// Called in this order for each frame: predict, observe, match. Then it answers; the object table tells it of objects
-/// that begin or end in the same frame.
+/// Called in this order for each frame: predict, observe, match. Then its results are valid; the object table calls
+/// begin() and end() for objects that begin or end in the same frame.
 template <class ObjectType, std::size_t kObjects>
 class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// Where each object should be in the image. `place_of(object, slot)`: where it is, in its local frame, if
-  /// something knows that better than its models. `stands_since`: see Standing.
+  /// Predicts each object's place in the image. `place_of(object, slot)`: its place in its local frame, if a better one
+  /// than that of its models is known. `stands_since`: see Standing.
   template <class PlaceOf>
   [[gnu::noinline]] void predict(const Objects& objects, base::Time stands_since, const CameraModel& camera,
                                  const LensPose& lens, const MeasurementNoise& noise, const PlaceOf& place_of) {
@@ -94,7 +94,7 @@ class Matcher {
     return observation;
   }
 
-  /// May something in the image stand before the object, as predicted?
+  /// True if something in the image may occlude the object, as predicted.
   [[nodiscard]] bool may_be_hidden(std::size_t o) const {
     for (const Observation& seen : observations_) {
       if (overlaps(predictions_[o], seen) && !stands_behind(seen, predictions_[o])) return true;
@@ -171,7 +171,7 @@ class Matcher {
     }
   }
 
-  // Two objects that were taken for one, and never stood apart in the image before: nothing matches it any more.
+  // The object turned out to be two that were never apart in the image before: nothing matches it any more.
   static void divide(Prediction& prediction) {
     prediction.divided = true;
     prediction.possible = false;
@@ -214,7 +214,7 @@ class Matcher {
       const Prediction& own = predictions_[object_of_[b]];
       Observation& seen = observations_[b];
       for (std::size_t o = 0; o < kObjects; ++o) {
-        if (!predictions_[o].hides || o == object_of_[b]) continue;  // most of them: nobody is there
+        if (!predictions_[o].hides || o == object_of_[b]) continue;  // most of them hide nothing
         if (hides_end(predictions_[o], own, seen.left_column, -1)) seen.left = End::kLowerBound;
         if (hides_end(predictions_[o], own, seen.right_column, 1)) seen.right = End::kLowerBound;
       }

@@ -45,7 +45,7 @@ struct ObjectCore {
   std::uint8_t in_pieces = 0;    ///< frames in a row in which it was two blobs with nothing between them
   std::int8_t left_off = 0;  ///< frames in a row in which its left end was far off to one side; negative: to the left
   std::int8_t right_off = 0;
-  std::uint8_t foot_off = 0;  ///< frames in a row in which its foot was elsewhere although the robot stands
+  std::uint8_t foot_off = 0;  ///< frames in a row in which its foot was elsewhere although the robot is stationary
   std::int16_t foot_row = 0;  ///< of the last sighting that was not
   std::uint32_t views = 0;
   base::Time last_seen;
@@ -135,7 +135,7 @@ struct Object : ObjectCore {
     presence = was_present;
   }
 
-  /// The object stands elsewhere by `step` (m): it was seen from poses that were wrong by as much.
+  /// Moves the object by `step` (m): it was seen from poses that were wrong by as much.
   void shift(const Vec2& step) {
     origin = moved(origin, step);
     for_each_model([&](auto& model) { model.shift(step); });

@@ -8,7 +8,7 @@
 
 namespace fencepost::recon {
 
-/// Ids are never used again within a run, so nobody has to compare slots: an id that has ended is gone for good.
+/// Ids are never used again within a run, so readers need not compare slots: an id that has ended is gone for good.
 enum class EventKind : std::uint8_t {
   kBorn,     ///< `id` has begun, tentative
   kMoved,    ///< its models began again elsewhere: they were of something else, or it moves. `id` goes on
@@ -27,8 +27,8 @@ struct ObjectEvent {
   std::uint32_t other = 0;  ///< kMerged: the id that goes on; else 0
 };
 
-/// Of one frame, in order. A slot has at most three: its object ends, another one is born there, and that one is merged
-/// or deleted.
+/// The events of one frame, in order. A slot has at most three: its object ends, another one is born there, and that
+/// one is merged or deleted.
 template <std::size_t kObjects>
 using ObjectEvents = base::FixedVector<ObjectEvent, 3 * kObjects>;
 

@@ -1,5 +1,5 @@
-// All objects of the map and their life cycle: born, seen, missed, confirmed, and the five ways in which one ends. What
-// becomes of them in a frame is returned as events; nobody else begins or ends an object.
+// All objects of the map and their life cycle: born, seen, missed, confirmed, and the five ways in which one ends. Each
+// frame's changes are returned as events; only this table begins or ends an object.
 #pragma once
 
 #include <algorithm>
@@ -100,7 +100,7 @@ class ObjectTable {
       const Observation seen = matcher.observation_of(o);
       compare_ends(object, matcher.prediction(o), seen, open_ends(object, matcher.prediction(o), seen, camera, lens));
       compare_foot(object, seen, object.last_seen > stands_since_, elapsed_ >= kCountsTwice ? 2 : 1);
-      // Sightings of what moves do not meet in one place.
+      // Sightings of a mover do not meet in one place.
       if (object.contradicted() || seen.moves) {
         object.restart(make_sighting(camera, lens, seen), exposure_);
         report(EventKind::kMoved, o);
@@ -113,7 +113,7 @@ class ObjectTable {
     }
   }
 
-  // Of the ends that were seen where none was expected, those that contradict no edge seen before.
+  // The ends that were seen where none was expected, and that contradict no edge seen before.
   static EndsOff open_ends(const ObjectType& object, const Prediction& prediction, const Observation& seen,
                            const CameraModel& camera, const LensPose& lens) {
     const auto& hybrid = object.hybrid();
@@ -218,8 +218,8 @@ class ObjectTable {
     }
   }
 
-  // Solid things do not stand in one another: of two objects of one signature in one place, one is a double. Not when
-  // both were seen in this frame.
+  // Solid things do not overlap: of two objects of one signature in one place, one is a double. Not when both were seen
+  // in this frame.
   void end_doubles(MatcherType& matcher) {
     for (std::size_t a = 0; a < kObjects; ++a) {
       for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {
@@ -246,8 +246,8 @@ class ObjectTable {
   }
   static float weight(const ObjectCore& object) { return object.presence * static_cast<float>(object.views); }
 
-  // A single sighting beside a confirmed object was noise. What was hardly ever seen, and should have been again and
-  // again, never was. Of a better known object real cameras miss more than that: it stays, and only its alerts stop.
+  // A single sighting beside a confirmed object was noise. A refuted object with few views never existed. Real cameras
+  // miss better known objects in more frames than refute one: such an object stays, and only its alerts stop.
   void end_refuted(MatcherType& matcher) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       const ObjectType& object = objects_[o];
@@ -285,7 +285,7 @@ class ObjectTable {
   ObjectEvents<kObjects> events_;
   base::Time exposure_;  ///< of the current frame
   base::Time stands_since_;
-  base::Duration elapsed_;  ///< since the frame before; at most what one frame may say of an object that it misses
+  base::Duration elapsed_;  ///< since the frame before; at most what one frame may add to an object's missing time
   std::uint32_t next_id_ = 1;
   std::uint32_t evicted_ = 0;
 };

@@ -19,8 +19,9 @@ struct PiecePair {
 
 /// The first pair of blobs of one signature that belong together, unless two objects are known to be there:
 /// - a third, not farther blob fills the gap between them, and they have the same top and bottom rows; or
-/// - one object is predicted that has the middles of both. Nothing stands between: the camera lost the middle, or two
-///   objects were taken for one until now.
+/// - one object is predicted that has the middles of both, with nothing between. Then the camera lost the middle, or
+/// the
+///   object is really two.
 /// Predictions without signature are passed over.
 PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Prediction> predictions);
 
@@ -28,7 +29,7 @@ PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Predic
 /// camera may have lost a piece there.
 bool are_alike(const Observation& one, const Observation& other);
 
-/// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. Where they are two
+/// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. If they are two
 /// objects after all, the joined wedge is too wide: it carves less.
 void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const PiecePair& pair);
 

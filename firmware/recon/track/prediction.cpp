@@ -73,7 +73,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   return prediction;
 }
 
-// Variance of what an estimate's own leaves out, m^2.
+// Variance that the estimate's own leaves out, m^2: shape and pose.
 float others_of(const CylinderEstimate& estimate, const MeasurementNoise& noise) {
   const float shape = noise.roundness * estimate.radius;
   return shape * shape + noise.position * noise.position;

@@ -1,5 +1,5 @@
-// Where each object should appear in the next frame: columns and rows of the level, undistorted camera in whole pixels.
-// Matching needs no more, and a small part saves the room.
+// The predicted box of each object in the next frame: columns and rows of the level, undistorted camera in whole
+// pixels. Matching needs no more, and a small part saves the room.
 #pragma once
 
 #include <cstdint>
@@ -25,20 +25,19 @@ struct Prediction {
   PredictedLine bottom;
   std::int16_t left_tolerance = 0;  ///< px: farther off than this on average, the blob cannot be the object
   std::int16_t right_tolerance = 0;
-  std::int16_t foot_row = 0;  ///< px, of the last sighting, if the robot has stood since; 0: it has not, or it may move
+  std::int16_t foot_row = 0;  ///< px, of the last sighting, if the robot is stationary since; 0: not, or it may move
   bool refuted = false;       ///< it should have been seen and was not
   float depth = 0;            ///< m along the axis to its nearest point; 0: the distance is not known
   std::uint8_t signature = 0;
   bool confirmed = false;
-  bool hides = false;     ///< confirmed, and its ends are known: what stands behind it is cut
+  bool hides = false;     ///< confirmed, and its ends are known: it cuts things behind it
   bool divided = false;   ///< it turned out to be two objects; nothing matches it
   bool possible = false;  ///< it can be in the image, and is likelier there than something new
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 
-/// Whose prediction it is (signature, confirmed, hides) is left to who asks.
-/// By the circle `estimate`, in the object's local frame: its cylinder's, unless something knows better; else by the
-/// last bearing.
+/// Predicts by the circle `estimate`, in the object's local frame: its cylinder, unless a better place is known; else
+/// by the last bearing. The caller sets signature, confirmed and hides.
 Prediction predict(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                    const CylinderEstimate& estimate, const MeasurementNoise& noise);
 /// By the outline where it is known well, else by the cylinder, else by the last bearing.

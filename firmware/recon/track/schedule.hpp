@@ -1,4 +1,5 @@
-// Whose models take a sighting in this frame: most of a frame's work, so a small part does it for few objects a frame.
+// Selects the objects whose models are updated in a frame. The update is most of a frame's work, so a small part does
+// it for few objects a frame.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +10,13 @@
 
 namespace fencepost::recon {
 
-/// Views shortly after one another say the same: of a fast camera's frames models take some, of a slow one's all.
+/// Selects the frames whose views go to the models: some of a fast camera's, whose views repeat, and all of a slow
+/// one's.
 class ModelPace {
  public:
   void clear() { *this = {}; }
 
-  /// Do models take sightings of this frame, and do fits go on?
+  /// True if models take sightings of this frame, and fits go on.
   bool due(base::Time exposure, base::Duration interval) {
     const base::Duration passed = taken_.since(exposure);
     if (begun_ && passed < interval && passed.raw >= 0) return false;
@@ -28,8 +30,8 @@ class ModelPace {
   bool begun_ = false;
 };
 
-/// Of the objects seen in this frame the one whose foot is lowest in the image: the robot is about to hit that one.
-/// kObjects: none was seen.
+/// The object of this frame whose foot is lowest in the image: the robot is about to hit that one. kObjects: none was
+/// seen.
 template <class Profile>
 std::size_t lowest_foot(const typename ObjectTable<Profile>::MatcherType& matcher) {
   std::size_t lowest = Profile::kObjects;
@@ -40,9 +42,9 @@ std::size_t lowest_foot(const typename ObjectTable<Profile>::MatcherType& matche
   return lowest;
 }
 
-/// Of the objects seen in this frame the one that has waited longest for its models' turn; `nearest` waits twice as
-/// long as others. Of two the nearer one. kObjects if none waits. Nobody waits for ever: what is new or near goes
-/// before others for as long as they have waited less than twice the capacity.
+/// The object of this frame that has waited longest for its models' turn; for `nearest` the wait counts twice. Of two
+/// the nearer one. kObjects if none waits. No object waits for ever: new or near ones go first only while the others
+/// have waited less than twice the capacity.
 template <class Profile>
 std::size_t most_urgent(const ObjectTable<Profile>& table, const typename ObjectTable<Profile>::MatcherType& matcher,
                         std::size_t nearest) {

@@ -17,15 +17,14 @@ inline constexpr float kSlackRadians = 0.05F;
 /// share of the predicted width by which a lost or grown piece of a segment moves an end: segments
 /// lose up to half.
 inline constexpr float kGateWidthShare = 0.5F;
-/// rad. Behind a neighbour or the border an object may go on for so much: 15 degrees. On which study was not kept.
+/// rad by which an object may go on behind a neighbour or the border: 15 degrees. The study was not kept.
 inline constexpr float kHiddenRadians = 0.26F;
 /// share of the image's width, sigma of an end that may be anywhere in it. Even where the end is predicted a blob is
 /// then likelier something new. 1 / sqrt(2 pi): a normal's highest density is that of the whole width there. Derived.
 inline constexpr float kSomewhere = 0.399F;
-/// m. What moves by itself may be so far from where it was seen last. More: swaps; less: doubles. By design: 1.5 m/s at
-/// 20 frames/s.
+/// m, maximum move of a mover between two frames. More: swaps; less: doubles. By design: 1.5 m/s at 20 frames/s.
 inline constexpr float kMovesBetween = 0.08F;
-/// px. Rows are off by so much besides what distance and pitch explain: whole pixels, rounded edges. By design.
+/// px, sigma of rows besides that of distance and pitch: whole pixels, rounded edges. By design.
 inline constexpr float kRowPixels = 1.5F;
 /// m. An object without a distance lies somewhere beyond this on its last bearing. By design.
 inline constexpr float kNearestUnknown = 0.15F;
@@ -44,12 +43,12 @@ inline constexpr float kCostOfUnknownSide = 0.5F * 0.5F;
 /// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. On which study was
 /// not kept.
 inline constexpr std::uint8_t kUnmatchedCost = 160;
-/// ratio of depths above which models do not tell which of two is in front. By design.
+/// Ratio of depths above which models do not decide which of two is in front. By design.
 inline constexpr float kSameDepth = 0.95F;
 
 // --- when an object should be in the image ---
 
-/// m, to the middle. Nothing is expected to be seen nearer: it fills the image. By design.
+/// m, to the middle. A nearer object fills the image and is not expected to be seen. By design.
 inline constexpr float kNearestExpected = 0.1F;
 /// share of the columns, from the border, where nothing is expected. By design.
 inline constexpr float kBorderShare = 0.05F;
@@ -61,18 +60,17 @@ inline constexpr std::uint8_t kDividingFrames = 2;
 /// frames in a row in which one end is off and the other is not: the models are of something else. On which study was
 /// not kept.
 inline constexpr int kContradictingFrames = 10;
-/// px by which the foot of what a standing robot looks at may waver, lost pieces left aside. Derived: the gates of both
-/// rows.
+/// px, gate of a foot's row while the robot is stationary, lost pieces left aside. Derived: the gates of both rows.
 inline constexpr auto kFootJump = static_cast<int>(2 * kGateSigmas * kRowNoise);
-/// A frame that comes so long after the one before counts as two for the foot: what a slow camera shows is no less
-/// true. Not for the ends: that lost landmarks of the real runs. By design.
+/// Time since the frame before from which on a frame counts as two for the foot: a slow camera is no less right. Not
+/// for the ends: that lost landmarks of the real runs. By design.
 inline constexpr base::Duration kCountsTwice = base::milliseconds(60);
 /// relocations of an object's local frame, at most: more would be a place that no evidence settles. By design.
 inline constexpr std::uint8_t kMaxRelocations = 4;
 /// Presence is averaged over about this many expected sightings, as its inverse. By design.
 inline constexpr float kPresenceGain = 1.0F / 8.0F;
-/// An object is no longer believed in that should have been seen for kMoment and was not, by at least five frames.
-/// Less: alerts end when a camera misses; more: ghosts. By design.
+/// Maximum time that one frame adds to an object's missing time. An object that was missed for kMoment, by at least
+/// five frames, is refuted. Less: alerts end when a camera misses; more: ghosts. By design.
 inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
 /// sigmas. A foot's predicted row is inside the image with these to spare. A blob stands clearly behind it if its foot
 /// is higher by these. Derived: kUsualSigmas.
@@ -80,12 +78,12 @@ inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
 /// Views. A refuted object with fewer is deleted. One with more stays, and only its alerts stop, for real cameras miss
 /// known objects in more frames than refute one. The study was not kept.
 inline constexpr std::uint32_t kFewViews = 8;
-/// An object that was seen so shortly before something of its colour was known to move may have been that. More:
-/// objects that stand are forgotten; less: ghosts. By design.
+/// Time before a mover of its colour is known within which an object's last sighting may have been that mover. More:
+/// static objects are forgotten; less: ghosts. By design.
 inline constexpr base::Duration kTrail = base::milliseconds(1500);
 /// A confirmed object out of sight for longer makes room in a full table. By design.
 inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
-/// An object is kept for so long whatever contradicts it. Derived: twice what refutes it.
+/// Minimum time for which an object is kept, whatever contradicts it. Derived: twice what refutes it.
 inline constexpr base::Duration kKeepUnseen{2 * kMoment.raw};
 
 }  // namespace fencepost::recon

@@ -221,7 +221,7 @@ bool edges_contradict(const HybridCore& core, ConstClusters clusters, const Outl
   const SectorPlace place = place_of(normal, sectors);
   const float bound = normal.dot(lens);
   const float slack = kOutgrown + (core.refusal == HybridRefusal::kNone ? kEndsBefore * outline.radius() : 0.0F);
-  // Where it touches is not known: of a long wall seen along its side that is far away.
+  // The point of contact is not known; it may be far away on a long wall that is seen along its side.
   const float per_sector = node_step(sectors).angle * kOutlineSquare;
   for (int beside = -1; beside <= 1; ++beside) {
     const std::size_t sector = (place.sector + sectors + static_cast<std::size_t>(beside + 1) - 1) % sectors;

@@ -37,8 +37,8 @@ constexpr std::string_view name(HybridRefusal refusal) {
 struct HybridCore {
   MapPoint origin;          ///< of the local frame: within kRecentre of the outline's middle when it was fitted last
   Vec2 last_lens{0, 0};     ///< local: where the tangents were last taken from
-  std::uint8_t views = 0;   ///< that brought news, counted to 255
-  std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; higher by kBits what said `at least`
+  std::uint8_t views = 0;   ///< with new information, counted to 255
+  std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; lower bounds are higher by kBits
   std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
   std::uint8_t news = 0;        ///< weight of the views that no fit has begun with, in 1 / kWholeNews; 0: none
@@ -69,7 +69,7 @@ struct OutlineView {
   [[nodiscard]] float slope(const SectorPlace& place) const;
   /// In [0, 1]: the expected R + P above that of the hull is about 1.05 (1 - confidence).
   [[nodiscard]] float confidence() const;
-  /// Is it one to draw and to measure by? Where it is not, inflation() moves it out.
+  /// True if the outline is known well enough to draw and measure by; otherwise inflation() moves it out.
   [[nodiscard]] bool known_well() const { return mean_sigma() < kWellKnownShare * radius(); }
   /// Where side k and the next one meet.
   [[nodiscard]] Vec2 corner(std::size_t k) const;
@@ -117,7 +117,7 @@ struct Hybrid : HybridCore {
   /// Empty; the first guess of the middle is where `first` sees it.
   void begin(const Sighting& first);
   void start(const Sighting& first, MapPoint /*origin*/) { begin(first); }
-  /// Takes the tangents of one view. What a robot that stands sees again is no news and changes nothing.
+  /// Adds the tangents of one view. A stationary robot that sees the same again changes nothing.
   void add(const Sighting& sighting, const MeasurementNoise& noise);
   void add(const ModelView& view) { add(view.sighting, view.noise); }
   /// It has an origin of its own, which follows the outline.

@@ -22,7 +22,7 @@ class HybridSolver {
   static constexpr bool kPolygon = kSectors == kRing;
   using HybridType = Hybrid<kSectors>;
 
-  /// Starts on `hybrid`, from what it holds now. `known_radius`: of what it is the outline, m; 0: not known.
+  /// Starts a fit of `hybrid` from its present tangents. `known_radius`: the configured radius, m; 0: none.
   void begin(HybridType& hybrid, float known_radius = 0);
   /// The same from the outline that is there, where it has enough views, with the last passes alone; each
   /// kWholeFitEvery-th time from nothing. A third of the work.

@@ -1,4 +1,4 @@
-// Whose outline is fitted when: objects with news take turns, and a frame has time for so many steps.
+// Schedules the outline fits: objects with new tangents take turns, and a frame has time for a fixed number of steps.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,9 @@
 
 namespace fencepost::recon {
 
-/// One solver for all objects of a map. Profile::kHybridSteps steps a frame that is due, in warm fits. 0: outlines are
-/// fitted at once and from nothing, one that is known well when its news weigh as much as a whole view.
+/// One solver for all objects of a map. It takes Profile::kHybridSteps steps in a frame that is due, in warm fits. With
+/// 0 steps, outlines are fitted at once and from nothing. A well-known outline then waits until its new tangents weigh
+/// as much as a whole view.
 template <class Profile>
 class OutlineFitter {
  public:
@@ -39,7 +40,7 @@ class OutlineFitter {
     }
   }
 
-  /// The stream has ended: outlines that wait for more news are fitted. Not where steps are counted.
+  /// The stream has ended: fits the outlines that wait for more tangents, unless steps are counted.
   template <class Table>
   void finish(Table& table) {
     if constexpr (Profile::kHybridSteps == 0) fit_all(table.objects(), 1);
@@ -61,14 +62,14 @@ class OutlineFitter {
     if constexpr (Batch::kCapacity > 0) fit_together(objects, least_news);
   }
 
-  // Of an outline that is known well a part of a view changes little.
+  // A part of a view changes little in a well-known outline.
   template <class Object>
   static bool is_due(const Object& object, int least_news) {
     if (!object.used() || object.hybrid().news == 0) return false;
     return !object.hybrid().known_well || object.hybrid().news >= least_news;
   }
 
-  // Those with news that are left, a few at a time.
+  // Fits the remaining outlines with new tangents, a few at a time.
   template <class Objects>
   static void fit_together(Objects& objects, int least_news) {
     Batch batch;
@@ -87,7 +88,7 @@ class OutlineFitter {
     solve();
   }
 
-  // False: nobody has news.
+  // False: no object has new tangents.
   template <class Objects>
   bool go_on(Objects& objects) {
     if (solver_.done() && !begin_next(objects)) return false;

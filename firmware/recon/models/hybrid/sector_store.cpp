@@ -43,8 +43,8 @@ float gate_share(const Cluster& cluster, float phase_angle, const Tangent& tange
   return off * off / (sigma * sigma * (1.0F + 1.0F / std::max(1.0F, cluster.views)));
 }
 
-// An edge that is as far out as the tangent, give or take a sigma: that the object reaches so far is no news. Unless
-// the edge is far less sure of it.
+// True if the edge is as far out as the lower bound, within a sigma, so that the bound adds nothing. False if the edge
+// is far less certain.
 bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, const StoreContext& context) {
   if (edge.sigma > kUnsure * tangent.sigma) return false;
   return edge.offset + context.slope * phase_angle > tangent.line.bound - tangent.sigma;
@@ -146,7 +146,7 @@ void insert(Clusters clusters, const SectorPlace& place, const Tangent& tangent,
       continue;
     }
     if (tangent.lower_bound) {
-      // Of two of them the one that is farther out is true, and the other follows from it.
+      // The lower bound that is farther out implies the other one.
       const float beyond = tangent.line.bound - cluster.offset - context.slope * turned;
       if (beyond < -tangent.sigma) return;
       if (beyond > tangent.sigma) {

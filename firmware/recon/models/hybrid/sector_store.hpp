@@ -55,7 +55,7 @@ bool whole_steps(float offset, std::int32_t& steps);
 bool pack(const Cluster& cluster, PackedCluster& packed);
 Cluster unpack(const PackedCluster& packed);
 
-/// Where a direction lies among `sectors` sectors, of which the first begins at the x axis.
+/// The place of a direction among `sectors` sectors, of which the first begins at the x axis.
 struct SectorPlace {
   std::size_t sector = 0;
   float phase = 0;  ///< [0, 1)
@@ -68,7 +68,7 @@ using ConstClusters = std::span<const PackedCluster>;
 
 /// Which of kPhases places of its sector.
 constexpr std::size_t place_in_sector(const PackedCluster& packed) { return packed.phase >> 1U; }
-/// Of cluster `index`; 64 or 32 sectors.
+/// The direction of cluster `index`; 64 or 32 sectors.
 Vec2 direction_of(ConstClusters clusters, std::size_t index);
 
 /// Values of the model that the store needs to compare tangents of slightly different directions.
@@ -103,8 +103,8 @@ void move_origin(Clusters clusters, const OriginShift& shift);
 /// reduce it.
 float standing(ConstClusters clusters, std::size_t index);
 
-/// Was an edge seen of the side with this outward normal? Otherwise it is open: the object goes on there beyond what
-/// was seen, or nobody looked.
+/// True if an edge of the side with this outward normal was seen. Otherwise the side is open: the object reaches beyond
+/// the seen part there, or no view showed it.
 bool edge_seen(ConstClusters clusters, const Vec2& normal);
 
 }  // namespace fencepost::recon

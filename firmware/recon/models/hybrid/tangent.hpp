@@ -25,7 +25,7 @@ struct ViewTangents {
   float straight = 0;            ///< m, sigma of `front` if that is a lower bound because the thing goes on beyond the
                                  ///< image, and as an edge if it goes on straight; 0: nothing is known of that
   std::uint8_t present = 0;      ///< bits of Which
-  std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge, but the object reaches so far
+  std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge but a lower bound
 };
 
 /// `distance`: from the lens to the object's middle (m). `first_views`: nothing outvotes a lost piece of the segment

@@ -14,21 +14,21 @@ namespace fencepost::recon {
 
 // --- views (hybrid, tangent) ---
 
-/// share of a whole view's move (kNovelShare) by which a view is news. By design.
+/// Minimum move of the lens for a view to count as new, as a share of a whole view's (kNovelShare). By design.
 inline constexpr float kMinNews = 0.25F;
 /// share of its width that a piece has which a segment loses. Prototype.
 inline constexpr float kLostShare = 0.3F;
 /// Probability of that. Before kViewsForShape views nothing outvotes it, so it goes into the sigma of the edges.
 /// Prototype.
 inline constexpr float kLossProbability = 0.05F;
-/// m. An end outside the image is news where it is so much farther than the outline reaches. By design.
+/// m by which an end outside the image has to be beyond the outline to count as new. By design.
 inline constexpr float kOutgrown = 0.03F;
-/// m. What is seen of something that goes on is so wide: its foot is then that of the part in the image alone.
+/// m, minimum width of the seen part of an object that goes on. Its foot is then that of the part in the image alone.
 inline constexpr float kGoesOn = 0.3F;
 /// share of that width by which its foot is off if it goes on straight, but aslant. Extent table.
 inline constexpr float kTilt = 0.2F;
-/// share of the radius, beside kOutgrown, by which an end may be farther out than an edge says before it contradicts
-/// that. By design: a sector of an outline.
+/// Share of the radius, beside kOutgrown, by which an end may be outside an edge before it contradicts the edge. By
+/// design: a sector of an outline.
 inline constexpr float kEndsBefore = 0.1F;
 /// share of the typical size by which the nearest point of an object is before its middle. By design.
 inline constexpr float kFrontShare = 0.8F;
@@ -55,7 +55,7 @@ inline constexpr float kJoinSigmas = 2.5F;
 inline constexpr float kMinScale = 0.35F;
 /// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. Prototype.
 inline constexpr float kWeakening = 0.5F;
-/// ratio of sigmas beyond which an edge does not speak for a lower bound as far out. By design.
+/// Ratio of sigmas beyond which an edge does not replace a lower bound as far out. By design.
 inline constexpr float kUnsure = 3.0F;
 /// A cluster farther out by two sigmas overrules another from this share of the other's views on. More: wrong cuts
 /// stay; less: noise adds to the outline. Prototype.
@@ -137,7 +137,7 @@ inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
-/// Parts of a whole view in which the weight of news is counted. By design: a view has at least kMinNews.
+/// Parts of a whole view in which the weight of new views is counted. By design: a view has at least kMinNews.
 inline constexpr int kWholeNews = 32;
 /// Passes of a warm fit, the last ones of series and of support: it begins from the outline that is there. More:
 /// outlines of boards are older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2,
