@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int32_t kReach = 4000;  // mm
 
-// Within so many mm of the robot's origin, squared, a front calls for a level: ahead, and behind.
+// The squared distance (mm^2) from the robot's origin within which a front calls for a level: ahead, and behind.
 struct Limit {
   std::array<std::int32_t, 2> squares{};
   unsigned frames = 0;  // of the fronts within it

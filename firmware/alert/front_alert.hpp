@@ -18,7 +18,7 @@ struct FrontAhead {
   record::AlertLevel due = record::AlertLevel::kClear;   ///< the level by the thresholds
   record::AlertLevel held = record::AlertLevel::kClear;  ///< the same, thresholds widened by the hysteresis
   float speed = kFastest;                                ///< m/s, see stopping_speed()
-  bool something = false;                                ///< so near that what was never seen whole may be it
+  bool something = false;                                ///< so near that an object never seen whole may be it
   Obstacle nearest;  ///< the nearest point in the area; not known if there is none near enough to warn
   std::uint8_t signature = 0;
   float confidence = 0;  ///< in [0, 1]: the share of the last frames that saw it, less what looked past it

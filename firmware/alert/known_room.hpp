@@ -11,13 +11,13 @@
 
 namespace fencepost::alert {
 
-/// mm. Floor is looked up so often along a line: no cell on it is passed over by more than its corner.
+/// mm between look-ups of the floor along a line: no more than the corner of a cell is missed.
 inline constexpr std::int32_t kFloorStep = recon::guard::kFloorCell * 3 / 2;
 /// mm before a thing that need not have been seen: its foot hides the floor there.
 inline constexpr std::int32_t kHiddenFloor = 200;
 /// mm around the robot's body that need not have been seen.
 inline constexpr std::int32_t kBesideBody = 100;
-/// m. Half of what is between two points of a front, and some of their noise.
+/// m, half the distance between two points of a front, and some of their noise.
 inline constexpr float kFrontRadius = 0.05F;
 /// m. A longer side of an outline is cut into pieces of this length.
 inline constexpr float kPiece = 0.1F;
@@ -28,7 +28,7 @@ inline constexpr float kNearer = 2.0F;
 
 constexpr float metres(std::int32_t millimetres) { return 0.001F * static_cast<float>(millimetres); }
 
-/// m. How far ahead the floor is known; no way is followed farther.
+/// m, maximum distance of known floor; no way is followed farther.
 inline constexpr float kFarthestKnown = metres(recon::guard::kFloorReach);
 
 /// Sides of an outline from one that is looked at to the next: every fourth is enough.

@@ -74,7 +74,7 @@ struct Robot {
   bool stands = false;
 };
 
-// Where the thing should be now, if it moves on as it did.
+// Predicts the track at constant speed.
 void predict(LoomingTrack& track, const Step& step) {
   const std::int32_t dt = step.time;
   constexpr int kBits = kSecondBits - kDepthBits;
@@ -156,8 +156,8 @@ Seen see(const FloorCamera& floor, const recon::CameraModel& camera, const recon
   return seen;
 }
 
-// How little a box speaks for being this thing, 0 the best.
-constexpr std::int32_t kNotIt = INT32_MAX;
+constexpr std::int32_t kNotIt = INT32_MAX;  // outside the gate
+// Cost of matching a box to a track; 0 is the best.
 std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
   if (seen.signature != track.signature) return kNotIt;
   const std::int32_t depth = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
@@ -175,8 +175,8 @@ std::int32_t unlikeness(const LoomingTrack& track, const Seen& seen) {
 
 enum class Belief : std::uint8_t { kTaken, kStray };
 
-// The Kalman filter's part: a depth with its sigma. By rows and columns, which are its inverse, errors are the same
-// either way: the difference is taken there.
+// The Kalman filter's update with a depth and its sigma. The innovation is computed in inverse depth, as rows and
+// columns measure it, for there errors are symmetric.
 Belief take_depth(LoomingTrack& track, std::int32_t depth, std::int32_t sigma) {
   const std::int32_t expected = std::max<std::int32_t>(track.depth >> kDepthBits, kMinDepth);
   const std::int32_t off = std::clamp((depth - expected) * expected / depth, -kMaxDepth, kMaxDepth);
@@ -317,7 +317,7 @@ bool worth_following(const FloorCamera& floor, const Seen& seen) {
   return seen.low || (!floor.usable() && seen.columns >= recon::kClearPixels);
 }
 
-// A free slot, else that of what is farther than `depth` (mm) and not seen now, else none.
+// A free slot, else that of the farthest track that does not approach, if it is unseen or farther than `depth` (mm).
 LoomingTrack* slot_for(std::span<LoomingTrack> tracks, std::int32_t depth) {
   LoomingTrack* farthest = nullptr;
   for (LoomingTrack& track : tracks) {
@@ -337,7 +337,7 @@ bool is_over(const LoomingTrack& track) {
   return track.unseen > in_time(below ? kComesUnseen : kUnseen);
 }
 
-// Where a thing is and how it moves against the robot, robot frame.
+// The place of a thing and its velocity relative to the robot, robot frame.
 struct Meeting {
   recon::Vec2 place{0, 0};     // m
   recon::Vec2 velocity{0, 0};  // m/s

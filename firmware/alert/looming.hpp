@@ -39,7 +39,7 @@ struct LoomingTrack {
   bool low : 1 = false;         ///< its foot was below the image when it was seen last
   bool guessed : 1 = false;     ///< its width was never seen together with its foot: depth and speed have a scale alone
   std::uint8_t whole : 2 = 0;   ///< sightings in a row with both ends in the image, at most 3
-  std::uint8_t strays : 2 = 0;  ///< sightings in a row that the filter does not believe
+  std::uint8_t strays : 2 = 0;  ///< sightings in a row that are outliers of the filter
 
   [[nodiscard]] bool used() const { return sightings != 0; }
   [[nodiscard]] bool comes() const { return sure >= kSureFrames; }
@@ -50,7 +50,7 @@ static_assert(sizeof(LoomingTrack) <= 32, "eight of them, or four on the smalles
 /// The same for all capacities.
 class LoomingCore {
  protected:
-  /// `odometry`: where the robot was at the exposure; null while that is not known. Blobs of what moves are marked.
+  /// `odometry`: the robot's pose at the exposure; null while that is not known. Marks the blobs of movers.
   [[gnu::noinline]] void look(std::span<LoomingTrack> tracks, recon::WaitingFrame& frame,
                               const recon::CameraModel& camera, const recon::MapPose* odometry);
   [[nodiscard]] FrontAhead ahead(std::span<const LoomingTrack> tracks, const recon::CameraModel& camera,
@@ -72,7 +72,7 @@ class Looming : public LoomingCore {
   /// Nothing was seen yet: a new run, or another calibration.
   void clear() { *this = {}; }
 
-  /// One frame, as the camera sent it. `odometry`: null while it is silent. Blobs of what moves by itself are marked.
+  /// Updates with one frame, as the camera sent it. `odometry`: null while it is silent. Marks the blobs of movers.
   void look(recon::WaitingFrame& frame, const recon::CameraModel& camera, const recon::MapPose* odometry) {
     LoomingCore::look(tracks_, frame, camera, odometry);
   }
@@ -89,7 +89,7 @@ class Looming : public LoomingCore {
   std::array<LoomingTrack, kTracks> tracks_{};
 };
 
-/// Of two things ahead the one that calls for more; of the same the one that is met first.
+/// The thing ahead with the higher level; with equal levels the one that is met first.
 FrontAhead more_urgent(const FrontAhead& one, const FrontAhead& other);
 
 }  // namespace fencepost::alert

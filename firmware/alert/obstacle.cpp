@@ -31,7 +31,7 @@ void set_closing(const RobotPath& path, float range, Obstacle& obstacle) {
   set_time_to_contact(path, obstacle);
 }
 
-// Of the distance to the point that is nearest to who is at -away from the middle, m.
+// Sigma (m) of the distance from a place at -away from the middle to the cylinder's nearest point.
 float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float range) {
   return range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
 }

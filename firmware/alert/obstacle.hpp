@@ -20,11 +20,11 @@ struct Obstacle {
   float distance = 0;        ///< m, from the robot's origin to the nearest point; 0 inside
   bool cut_off = false;      ///< where it was seen last, an end of it was outside the image or hidden
   bool guessed = false;      ///< it was never surely seen whole: a side of a corridor is no disc in the middle of it
-  bool unbacked = false;     ///< the guard should know it and does not: worth no more than a notice
+  bool unbacked = false;     ///< the guard should know it and does not: at most a notice
   bool closing = false;
   float closing_speed = 0;  ///< m/s, if closing
   float ttc = 0;            ///< s, until the robot's body touches, if closing
-  float overhang = 0;       ///< m, see Overhang: by so much the robot's thresholds of distance are moved
+  float overhang = 0;       ///< m, see Overhang: added to the robot's thresholds of distance
   std::optional<InPath> in_path;
 
   /// rad, of the nearest point
@@ -37,7 +37,7 @@ float way_to(const RobotPath& path, const Obstacle& obstacle, float share);
 /// Fills in how fast the robot nears the obstacle and how soon it is there, by its place.
 void set_closing(const RobotPath& path, Obstacle& obstacle);
 
-/// Where the robot is now: its heading as a direction, once for all obstacles.
+/// The robot's present pose; its heading as a direction, computed once for all obstacles.
 struct RobotPlace {
   explicit RobotPlace(const recon::MapPose& pose);
   /// `away` (m, map axes, from the robot's origin) in the robot frame.
@@ -51,8 +51,8 @@ struct RobotPlace {
 /// Alert model: the cylinder.
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept);
 
-/// The same obstacle with the distance to `outline` and its uncertainty there, if that is known well. Where it reaches
-/// to the side, and so what is in the path, stays the cylinder's.
+/// The same obstacle with the distance to `outline` and its uncertainty there, if that is known well. Its extent to the
+/// side, which decides what is in the path, stays the cylinder's.
 void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
                         Obstacle& obstacle);
 

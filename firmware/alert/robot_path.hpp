@@ -25,7 +25,7 @@ struct RobotPath {
   [[nodiscard]] bool has_corners() const { return front > 0 || rear > 0; }
 };
 
-/// Which ways lead on from here, as far as the robot's motion tells.
+/// The ways that lead on from here, by the robot's motion.
 struct Ways {
   explicit Ways(const RobotPath& path);
   bool ahead = true;

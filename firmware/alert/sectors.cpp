@@ -16,7 +16,7 @@ using recon::Vec2;
 constexpr std::int32_t kUnitsPerMm = recon::kMapUnitsPerMetre / 1000;
 // m. What reaches no farther from its middle has one range: that of its nearest point.
 constexpr float kSmall = 0.25F;
-// m. What is farther tells nothing, by its nearest point.
+// m, maximum distance of an object's nearest point: a farther one changes no range.
 constexpr float kFarthest = 0.001F * static_cast<float>(kLongestRange) + kSmall;
 
 std::int16_t whole(float range) {
@@ -46,7 +46,7 @@ Sectors::Sectors(const recon::guard::SeenFloor& floor, const recon::MapPose& odo
   near_.fill(static_cast<std::int16_t>(kNothing));
   const std::int32_t x = odometry.position.x / kUnitsPerMm;
   const std::int32_t y = odometry.position.y / kUnitsPerMm;
-  // Along the middle of each sector and both its borders; no border tells more than the middles beside it.
+  // Along the middle of each sector and both its borders; no border reaches farther than the middles beside it.
   const base::SinCos half = base::sincos_urad(3'141'593 / static_cast<std::int64_t>(kSectors));
   const Vec2 step = recon::rotated({half.cos, half.sin}, Vec2{half.cos, half.sin});
   Vec2 direction = odometry_.heading;
@@ -84,7 +84,7 @@ void Sectors::put(const Vec2& right, const Vec2& left, float range) {
 void Sectors::put_around(const Vec2& center, float radius, float range) {
   const float square = center.squared_norm();
   if (square <= radius * radius) return near_.fill(0);
-  // Where the rays that touch the circle do so, or a little wider.
+  // The points where rays touch the circle, or a little wider.
   const Vec2 middle = (1.0F - radius * radius / square) * center;
   const Vec2 aside = radius / std::sqrt(square) * recon::left_of(center);
   put(middle - aside, middle + aside, range);

@@ -14,7 +14,7 @@
 
 namespace fencepost::alert {
 
-/// How often a kind of input comes, and whether the next one is overdue.
+/// The usual interval of a kind of input, and whether the next one is overdue.
 class Rhythm {
  public:
   void beat(base::Time t);
@@ -39,7 +39,7 @@ enum class Blindness : std::uint8_t {
   kOdometryLate,
   kFramesUnused,  ///< frames come and are refused
   kFrozen,        ///< frames come that do not change although the robot moves
-  kJump,          ///< odometry tells a motion that no robot makes
+  kJump,          ///< odometry reports a motion that no robot makes
 };
 
 /// Everything about one run's inputs that this needs.

@@ -17,9 +17,9 @@
 
 namespace fencepost::alert {
 
-/// By how much farther the robot's body reaches than half its width, m: thresholds of distance from the robot's origin
-/// are moved by so much. Never negative. On the side that leads it is the edge that counts, on one that only swings
-/// out, or in a spin, the corners.
+/// Length by which the robot's body reaches farther than half its width, m. It is added to thresholds of distance from
+/// the robot's origin. Never negative. On the side that leads the edge counts; on a side that only swings out, or in a
+/// spin, the corners count.
 struct Overhang {
   Overhang() = default;
   Overhang(const RobotPath& path, const Ways& ways);
@@ -65,7 +65,7 @@ struct Sweep {
     return ways.behind && on_way(-x, y, bounds, bounds.rear, bounds.front);
   }
 
-  /// Of a strip so wide to either side; the corners are added to it.
+  /// The bounds of a strip with this half width; the corners are added to it.
   [[nodiscard]] SweptBounds<Number> ring(Number half_width) const {
     const Number twice = twice_radius < 0 ? -twice_radius : twice_radius;
     SweptBounds<Number> bounds;

@@ -26,7 +26,7 @@ inline constexpr float kSlowsWithin = 0.4F;
 inline constexpr float kHysteresis = 1.15F;
 /// And for this long. Derived: as long as refutes a point of the guard.
 inline constexpr base::Duration kEaseAfter = recon::guard::kRefutedAfter;
-/// A notice is repeated no more often than this: it says where things are, nothing is urgent. By design.
+/// Minimum time between two notices of an alert: a notice is not urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
 /// Change of distance after which an alert in force is said again in words. It is twice the centimetre that is shown,
 /// so that jitter about a half does not repeat it. More: fewer sentences while the robot creeps. By design.
@@ -45,8 +45,8 @@ inline constexpr Margin kCutOff{4.0F, 0.4F};
 /// m by which the guard's points (recon/guard) count as nearer. More: false stops. Derived: the gate of the pose's
 /// position.
 inline constexpr float kFrontDoubt = recon::kGateSigmas * recon::kPositionNoise;
-/// m, outermost part of the margin in which they are not believed. More: late stops; less: false ones (0.02: 5 more in
-/// 81 minutes; 0.04: 4 fewer). Alert study.
+/// m, outermost part of the margin in which they do not count. More: late stops; less: false ones (0.02: 5 more in 81
+/// minutes; 0.04: 4 fewer). Alert study.
 inline constexpr float kUnsureMargin = 0.03F;
 
 // --- what comes closer by itself (looming); hazard table, families movers and approaches, seeds 1 to 200, where
@@ -54,20 +54,20 @@ inline constexpr float kUnsureMargin = 0.03F;
 
 /// quarters of a row: sigma of a foot's row. More: late stops; less: noise moves. Derived: as matching has it.
 inline constexpr auto kRowSigma = static_cast<std::int32_t>(4 * recon::kRowPixels);
-/// mm, sigma of a depth besides. By design.
+/// mm, sigma of a depth besides that of the row. By design.
 inline constexpr std::int32_t kDepthSigma = 6;
 /// quarters of a column: sigma of a width. By design.
 inline constexpr std::int32_t kColumnSigma = 9;
-/// Sigmas squared beyond which a depth is not believed; recon::kFewestViews of these in a row begin anew. By design.
+/// Gate of a depth, in squared sigmas; recon::kFewestViews outliers in a row begin anew. By design.
 inline constexpr std::int32_t kDepthGate = 16;
-/// mm^2/s^3. By how much a thing's own speed may change by chance. More: slow ones are found late; less: what brakes or
-/// starts is followed late.
+/// mm^2/s^3, process noise of a thing's own speed. More: slow things are found late; less: things that brake or start
+/// are followed late.
 inline constexpr std::int32_t kUnsteady = 10'000;
 /// mm^2/s^2, of a thing seen for the first time. By design: 1 m/s.
 inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
-/// mm/s to the side that something seen once may have. By design.
+/// mm/s, maximum lateral speed of a track with one sighting. By design.
 inline constexpr std::int32_t kFastestThing = 1500;
-/// 2^-14. A box may be off to the side by so much besides half of its width. By design.
+/// 2^-14, lateral gate of a box besides half of its width. By design.
 inline constexpr std::int32_t kSideGate = 600;
 // It comes by itself if its own speed is more than kSureSigmas, and than kMinOwn and kOwnShare together, in
 // kSureFrames frames in a row. A foot above the floor, or a wrong pitch, seems to move with the robot. More: late
@@ -105,12 +105,12 @@ inline constexpr std::int32_t kAheadSlope = 2500;
 /// Frames with motion, less those without, that make a track moving. The count ends at three times as many.
 inline constexpr int kMovedFrames = 8;
 
-/// A width tells a distance after so many sightings in a row with both ends. By design.
+/// Consecutive sightings with both ends before a width gives a distance. By design.
 inline constexpr std::uint8_t kWholeSightings = 2;
 /// Frames over which the robot's speed is averaged, and sightings over which a width is. By design.
 inline constexpr std::int32_t kAveragedFrames = 8;
-/// Time whose sightings tell the direction and its change. More: what turns is followed late; less: what passes beside
-/// stops the robot. By design.
+/// Time span of the sightings for the direction and its change. More: things that turn are followed late; less: things
+/// that pass beside stop the robot. By design.
 inline constexpr base::Duration kDirectionSpan = base::milliseconds(700);
 /// Least number of these sightings, and of those before lateral speed is used. By design.
 inline constexpr std::int32_t kMinSightings = 6;
@@ -121,14 +121,14 @@ inline constexpr std::int32_t kMaxSightings = 32;
 inline constexpr std::int32_t kFarthestFollowed = 2 * recon::guard::kFarthest;
 /// mm. Nearer depths count as this one. Derived: as the models have it.
 inline constexpr auto kMinDepth = static_cast<std::int32_t>(1000 * recon::kNearestLens + 0.5F);
-/// mm. What a camera without a known pitch shows clearly is followed as if it were so wide. By design.
+/// mm, assumed width of a thing that a camera without a known pitch shows clearly. By design.
 inline constexpr std::int32_t kGuessedWidth = 100;
-/// A thing that is not seen for so long is forgotten; all are after a pause of recon::kMoment. Derived: as long as
-/// refutes a point of the guard.
+/// Time after which an unseen track is deleted; all are after a pause of recon::kMoment. Derived: as long as refutes a
+/// point of the guard.
 inline constexpr base::Duration kUnseen = recon::guard::kRefutedAfter;
-/// Time after which a thing is forgotten that comes on below the image. Derived: three times as long.
+/// The same for a track that approaches below the image. Derived: three times as long.
 inline constexpr base::Duration kComesUnseen{3 * kUnseen.raw};
-/// Time after which a thing is forgotten whose distance nobody sees. Derived: as a point of the guard without support.
+/// Time after which a track without a measured distance is deleted. Derived: as a point of the guard without support.
 inline constexpr base::Duration kUnmeasured = recon::guard::kUnconfirmed;
 /// Share of alert.ttc_stop by which the time to contact counts as shorter at most; else by kUsualSigmas. More: false
 /// stops; less: late ones.
@@ -147,9 +147,9 @@ inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
 inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
 /// px by which the robot's motion should have moved the boxes meanwhile. By design.
 inline constexpr float kFrozenShift = 4;
-/// A camera that is asked more often than it sees repeats its images. Where one came so late and no sooner since, boxes
-/// may stay for a quarter more than that. What takes longer than this is no camera to drive by. Derived: things would
-/// be forgotten between two images.
+/// Maximum interval between two images of a camera to drive by. A camera that is polled faster than it sees repeats its
+/// images; its boxes may then stay for a quarter more than its last interval. Derived: with longer intervals tracks
+/// would be deleted between two images.
 inline constexpr base::Duration kSlowestImage = kUnseen;
 // A step between two samples that is farther than any robot moves is a jump. The pose is then not believed for
 // recon::kMoment.
@@ -158,14 +158,14 @@ inline constexpr base::Duration kSlowestImage = kUnseen;
 inline constexpr float kStepJump = 0.1F;
 /// m/s. Part that does. By design.
 inline constexpr float kFastest = 5;
-/// A standing robot repeats that it is blind no more often than this: somebody may be typing. By design.
+/// Minimum time between two reports of blindness while the robot is stationary: a user may be typing. By design.
 inline constexpr base::Duration kStandingBlind = base::milliseconds(10'000);
-/// A camera that sees nothing for so long is `empty`. Derived: as long as an input is not overdue for a standing robot.
+/// Time without a blob after which a camera is `empty`. Derived: as an input is overdue for a stationary robot.
 inline constexpr base::Duration kEmptyAfter = kOverdueStanding;
 
-/// m/s. A slower robot stands. By design.
+/// m/s. A slower robot is stationary. By design.
 inline constexpr float kStanding = 0.01F;
-/// m/s. What comes nearer more slowly does not come nearer. Derived: half of what the robot may creep.
+/// m/s, minimum closing speed. Derived: half of what the robot may creep.
 inline constexpr float kNotClosing = kStanding / 2;
 /// m/s. Below this speed, odometry with 5 mm of jitter gives the direction no better than by chance. The robot then
 /// counts as going straight and on its arc, ahead and back. More: a robot that backs off slowly gets alerts of what is
@@ -189,10 +189,10 @@ inline constexpr float kFlattestArc = 50.0F;
 inline constexpr float kTurnJump = kStepJump / kTightestArc;
 /// rad/s. Part that does. Derived likewise.
 inline constexpr float kFastestTurn = kFastest / kTightestArc;
-/// rad/s. A robot stands that turns more slowly. Derived likewise.
+/// rad/s. A robot that turns more slowly is stationary. Derived likewise.
 inline constexpr float kNotTurning = kStanding / kTightestArc;
 
-// --- doubts about the camera ---
+// --- the check of the camera's configuration ---
 
 /// Objects whose rows are wrong to the same side before the camera is to blame: fewer may stand on bases. By design.
 inline constexpr unsigned kDoubtfulObjects = 3;
@@ -202,7 +202,7 @@ inline constexpr unsigned kDoubtfulObjects = 3;
 inline constexpr float kMinNearer = 1.25F;
 /// The same where things are farther, which noise feigns more easily and which only makes alerts come early.
 inline constexpr float kMinFarther = 1.45F;
-/// Alerts widen their distances by what the doubt says, at most by this. By design.
+/// Maximum factor by which alerts widen their distances after a failed check. By design.
 inline constexpr float kMaxCaution = 2.0F;
 /// Counts of 0.01. A factor is reported again once it has changed by this. Less: the same said again. By design.
 inline constexpr std::int32_t kDoubtStep = 10;

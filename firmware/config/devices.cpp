@@ -82,7 +82,7 @@ sensor::CameraIntrinsics Devices::calibration() const {
   return camera_as_delivered;
 }
 
-// Of integers: the smallest parts have no doubles. Within a picometre of odometry::make_wheel_base.
+// With integers, for the smallest parts have no doubles. Within a picometre of odometry::make_wheel_base.
 odometry::WheelBase Devices::wheels(int counter_bits) const {
   constexpr std::int64_t kPi = 3'141'592'654;  // 10^-9
   constexpr std::int64_t kPicometresPerTenth = 100'000'000;

@@ -81,7 +81,7 @@ inline constexpr std::size_t kDeviceKeys = 8;
 /// The unit of settings whose value is a device's name.
 inline constexpr std::string_view kDeviceName = "name";
 
-/// By DeviceKey. The defaults here are those of an image that says no other.
+/// By DeviceKey. These are the defaults of an image that has no others.
 inline constexpr std::array<KeyInfo, kDeviceKeys> kDeviceInfo = {{
     {"camera", kDeviceName, 0, 0, 0, kCameraIds - 1, "the camera that is connected"},
     {"lens", "deg", 0, 0, 0, 150, "what it sees across; 0: as it is delivered"},
@@ -93,7 +93,7 @@ inline constexpr std::array<KeyInfo, kDeviceKeys> kDeviceInfo = {{
     {"bumper", "%", 0, 0, 0, 90, "of the motors' power after `go`; 0: never"},
 }};
 constexpr const KeyInfo& info(DeviceKey key) { return kDeviceInfo[static_cast<std::size_t>(key)]; }
-/// Of the setting with that name; kDeviceKeys if there is none.
+/// The index of the setting with that name; kDeviceKeys if there is none.
 std::size_t device_key_named(std::string_view name);
 
 /// The settings in force, as numbers by DeviceKey; a device's number is its id.
@@ -119,7 +119,7 @@ class Devices {
 
   /// The camera's, through its lens; where the camera is mounted is not part of it.
   [[nodiscard]] sensor::CameraIntrinsics calibration() const;
-  /// For encoders of so many bits.
+  /// The wheel base, for encoders with this many bits.
   [[nodiscard]] odometry::WheelBase wheels(int counter_bits) const;
 
   friend constexpr bool operator==(const Devices&, const Devices&) = default;

@@ -74,8 +74,8 @@ inline constexpr std::array<VerbInfo, kVerbs> kVerbInfo = {{
 
 constexpr const VerbInfo& info(Verb verb) { return kVerbInfo[static_cast<std::size_t>(verb)]; }
 
-/// Must this wait for the next reset while the console is locked? `word` is what follows the verb. Looking is allowed,
-/// and whatever makes the robot say more or stand.
+/// True if the command has to wait for the next reset while the console is locked. `word`: the one after the verb.
+/// Commands that only look are allowed, and those that make the robot report more or stop.
 bool waits_for_reset(Verb verb, std::string_view word);
 
 /// The words of a line; spaces, tabs and '=' are between them, so that what `get` says can be typed after `set`.

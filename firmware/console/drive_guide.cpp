@@ -7,7 +7,7 @@
 namespace fencepost::console {
 namespace {
 
-// A step of the way: odometry that wavers makes none.
+// A step of the way: jitter of odometry makes none.
 constexpr float kStepWay = 0.02F;           // m
 constexpr std::int32_t kStepTurn = 50'000;  // urad
 

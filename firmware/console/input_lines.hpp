@@ -19,7 +19,7 @@ class InputLines {
     bool too_long = false;
   };
 
-  /// Where the next bytes go; empty while a whole line waits and the buffer is full.
+  /// The room for the next bytes; empty while a whole line waits and the buffer is full.
   std::span<std::uint8_t> room();
   /// `count` bytes were put at the front of room().
   void filled(std::size_t count);
@@ -30,7 +30,7 @@ class InputLines {
 
  private:
   static constexpr std::uint16_t kSize = record::kMaxLine;
-  // Of a line that is too long so many bytes are kept: enough to distinguish a record from a command.
+  // Bytes that are kept of a line that is too long: enough to distinguish a record from a command.
   static constexpr std::uint16_t kKept = 16;
 
   void shorten();

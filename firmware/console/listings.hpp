@@ -37,7 +37,7 @@ struct StatusFacts {
   const config::DeviceOffer* offer = nullptr;  ///< where devices are chosen
 };
 
-/// One more where devices are chosen, and one while there is a doubt about the camera.
+/// One more where devices are chosen, and one while the camera's calibration seems wrong.
 constexpr std::size_t status_lines(const record::CalibrationDoubt& doubt, bool offered) {
   return 6 + (offered ? 1U : 0U) + (doubt.doubt == record::Doubt::kNone ? 0U : 1U);
 }

@@ -24,7 +24,7 @@ struct MapShape {
   recon::OutlineView outline{};  ///< around `middle`
 
   [[nodiscard]] bool outlined() const { return !outline.offsets.empty(); }
-  /// Of a point in the outline's frame.
+  /// The place in the map of a point in the outline's frame.
   [[nodiscard]] MapMillimetres place_of(const recon::Vec2& local) const;
   /// Grows `extent` around it.
   void include_in(MapExtent& extent) const;

@@ -27,9 +27,9 @@ Nearest nearest_of(const alert::Obstacle& obstacle);
 
 record::AlertReport report_alert(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                                  record::AlertLevel level, base::Time now);
-/// Of the guard: object id 0. Needs a front.
+/// The guard's alert, with object id 0. Needs a front.
 record::AlertReport report_alert(const alert::FrontAhead& front, record::AlertLevel level, base::Time now);
-/// Nothing is known of what is ahead.
+/// The alert at level blind.
 record::AlertReport report_blind(base::Time now);
 /// For an object that has ended, or a front that is gone: the bearing and distance of the last report, with confidence
 /// 0.

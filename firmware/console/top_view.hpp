@@ -83,7 +83,7 @@ std::size_t write_map_title(const TopView& view, std::span<char> out);
 std::size_t write_ticks(const TopView& view, std::span<char> out);
 std::size_t write_tick_numbers(const TopView& view, std::span<char> out);
 
-/// Of the object in this slot of the map's table.
+/// The letter of the object in this slot of the map's table.
 constexpr char letter_of(std::size_t slot) {
   constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   return slot < sizeof kLetters - 1 ? kLetters[slot] : '+';

@@ -1,4 +1,4 @@
-// Where the robot was, in a few places: evenly spaced over the whole run, however long that is.
+// The robot's trail in a few places, evenly spaced over the whole run, however long that is.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct TrailPlace {
   [[nodiscard]] constexpr MapMillimetres millimetres() const { return {x * kUnit, y * kUnit}; }
 };
 
-/// Are they at least so far apart, in kUnit, along one axis?
+/// True if they are at least `spacing` apart, in kUnit, along one axis.
 bool apart(TrailPlace a, TrailPlace b, std::int32_t spacing);
 
 /// When it is full every second place goes, and the others are spaced twice as far from then on. Even `kMax`.
@@ -29,7 +29,7 @@ template <std::size_t kMax>
 class Trail {
  public:
   void clear() { *this = {}; }
-  /// Where the robot is; nearer than the spacing to the last place, it is passed over.
+  /// Adds the robot's place, unless it is nearer than the spacing to the last one.
   void push(MapMillimetres robot) {
     const TrailPlace place = TrailPlace::of(robot);
     if (!places_.empty() && !apart(place, places_[places_.size() - 1], spacing_)) return;

@@ -41,7 +41,7 @@ class CameraChoice {
   [[nodiscard]] sensor::LinkState link() const {
     return driver_.visit([](const auto& driver) { return driver.link(); });
   }
-  /// Of all that were open.
+  /// Dropped blobs of all cameras that were open.
   [[nodiscard]] std::uint32_t dropped() const {
     return dropped_before_ + driver_.visit([](const auto& driver) { return driver.dropped(); });
   }

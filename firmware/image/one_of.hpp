@@ -18,7 +18,7 @@ class OneOf {
   static_assert((std::is_trivially_destructible_v<Types> && ...));
 
  public:
-  /// In the place of what was there.
+  /// Constructs an object in place of the one that is held.
   template <class Type, class... Arguments>
   Type& hold(Arguments&&... arguments) {
     index_ = kIndex<Type>;

@@ -58,7 +58,7 @@ static_assert(refusal(kLimits.initial, kLimits) == config::Refusal::kNone,
 // NOLINTNEXTLINE(cert-err58-cpp): nothing in there throws
 const config::DeviceOffer kOffer = {kLimits, board::kPinNames};
 
-/// The board's flash. The loop stands still while a page is erased: so do the motors.
+/// The board's flash. The loop stops while a page is erased, so the motors are stopped first.
 // NOLINTBEGIN(readability-static-accessed-through-instance): only of the template board
 struct FlashAtRest {
   [[nodiscard]] static std::size_t size() { return board::flash().size(); }
@@ -139,7 +139,7 @@ class Robot {
     supply_was_low_ = low;
     return low;
   }
-  // Not before the next `go`, once they stand.
+  // Once the motors stop, they wait for the next `go`.
   void drive_ahead(bool may_move, std::int16_t most, base::Time now) {
     std::optional<recon::MapPose> odometry;
     if (!memory_.poses.empty()) odometry = memory_.poses.latest();
@@ -173,14 +173,14 @@ class Robot {
       pipeline().reporter().say([&](std::span<char> room) { return write_boot_line(n, facts_, room); });
     }
   }
-  /// Somebody has come to the console who has not heard how it started.
+  /// True if a user has opened the console since the boot report.
   template <class Link>
   static bool opened([[maybe_unused]] Link& link) {
     if constexpr (requires { link.take_opened(); }) return link.take_opened();
     return false;
   }
 
-  /// Who typed there can stop nothing any more.
+  /// True if the port was closed: its user can stop nothing any more.
   template <class Link>
   static bool gone([[maybe_unused]] Link& link) {
     if constexpr (requires { link.take_gone(); }) return link.take_gone();

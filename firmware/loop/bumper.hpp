@@ -13,7 +13,7 @@
 
 namespace fencepost::loop {
 
-/// Why it stands.
+/// The reason for a stop.
 enum class Standstill : std::uint8_t { kAlert, kLine, kPort, kBlocked, kTurned, kBackwards };
 
 constexpr std::string_view reason(Standstill standstill) {
@@ -30,8 +30,8 @@ constexpr std::string_view reason(Standstill standstill) {
 
 class Bumper {
  public:
-  /// Several times in 20 ms. `wanted`: as the console says, withdrawn by whatever line is typed. `may_move`: by
-  /// MotionPermit. `odometry`: the latest pose by it. True: the motors run.
+  /// To be called several times in 20 ms. `wanted`: by the console, withdrawn by any typed line. `may_move`: by
+  /// MotionPermit. `odometry`: its latest pose. True: the motors run.
   [[nodiscard]] bool judge(bool wanted, bool may_move, const std::optional<recon::MapPose>& odometry, base::Time now) {
     if (!going_) {
       if (wanted && may_move && odometry) set_off(*odometry, now);
@@ -41,7 +41,7 @@ class Bumper {
     return going_;
   }
 
-  /// It stands, for a reason that judge() does not know.
+  /// Stops for a reason that judge() does not know.
   void stand(Standstill why) {
     if (going_) stood_ = why;
     going_ = false;
@@ -86,8 +86,8 @@ class Bumper {
 
   bool going_ = false;
   std::optional<Standstill> stood_;
-  recon::MapPose from_;  ///< where it set off
-  recon::MapPose last_;  ///< where it was last seen to move
+  recon::MapPose from_;  ///< at the start of the drive
+  recon::MapPose last_;  ///< at the last motion seen
   base::Stamp moved_;
 };
 

@@ -25,7 +25,7 @@ class Console {
   Console(Pipeline<Profile>& pipeline, const CannedStream& canned)
       : pipeline_(pipeline), canned_(canned), answers_(pipeline.memory(), canned.digest) {}
 
-  /// Where the link's next bytes go, see InputLines.
+  /// The room for the link's next bytes, see InputLines.
   [[nodiscard]] std::span<std::uint8_t> room() { return state().input.room(); }
   void filled(std::size_t count) { state().input.filled(count); }
 
@@ -38,7 +38,7 @@ class Console {
   /// Appended to the answer of `version`; must outlive this.
   void set_note(std::string_view note) { answers_.set_note(note); }
 
-  /// While somebody watches, the map is drawn again from time to time; the first one at once.
+  /// In `watch` the map is drawn again from time to time; the first one at once.
   void draw_again(base::Time now) {
     console::ConsoleState& console = state();
     constexpr base::Duration kEvery = base::milliseconds(2'000);

@@ -9,7 +9,7 @@
 
 namespace fencepost::loop {
 
-/// A profile with a journal of so many bytes.
+/// A profile with a journal of kBytes.
 template <class Base, std::size_t kBytes>
 struct Journaled : Base {
   static constexpr std::size_t kJournalBytes = kBytes;
@@ -20,8 +20,8 @@ struct Journaled : Base {
 template <std::size_t N>
 class Journal {
  public:
-  /// `inputs`: whoever reads the lines needs frames and odometry, too. A replay has them from where it reads, and need
-  /// not write them: any of them would have fitted.
+  /// `inputs`: the reader of the lines needs frames and odometry, too. A replay already has them in the log that it
+  /// reads, and need not write them: any of them would have fitted.
   void start(bool inputs = true) {
     on_ = true;
     inputs_ = inputs;

@@ -22,7 +22,7 @@ class LinkWatch {
     }
     if (sent_ == seen_) return std::nullopt;
     const bool at_once = state == sensor::LinkState::kAbsent || state == sensor::LinkState::kOk;
-    // The counter wraps after 25.6 s: a line that found no room for so long waits once more.
+    // The counter wraps after 25.6 s: a line that found no room until then waits once more.
     const auto lasted = static_cast<std::uint8_t>(tenths(now) - since_);
     if (!at_once && lasted <= kLasting) return std::nullopt;
     return state;

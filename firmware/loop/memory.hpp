@@ -70,11 +70,11 @@ struct Run {
   std::int16_t speed_limit = -1;  ///< mm/s, by the path as it was watched last; negative: not known
 };
 
-/// Of the map that the console draws: micro has few bytes left.
+/// Places of the trail in the console's map: micro has few bytes left.
 template <class Profile>
 inline constexpr std::size_t kTrailPlaces = Profile::kObjects < 8 ? 6 : 32;
 
-/// In the place of what a profile has no room for.
+/// The empty type for a profile without room for the floor.
 struct NoFloor {};
 
 template <class Profile>
@@ -89,7 +89,7 @@ struct Memory {
   base::FixedVector<record::Signature, Profile::kSignatures> signatures;
   config::Settings settings;
   config::Devices devices;                     ///< that were chosen
-  std::uint8_t choices = 0;                    ///< how often, modulo 256: whoever opens them compares
+  std::uint8_t choices = 0;                    ///< number of choices, modulo 256: its change opens them anew
   const config::DeviceOffer* offer = nullptr;  ///< to choose from; none: they are not chosen here
   recon::MeasurementNoise noise;
   std::array<alert::AlertState, Profile::kObjects> alerts{};
@@ -106,7 +106,7 @@ struct Memory {
   [[no_unique_address]] AlertListener<kIsHeard<Profile>> listener;
 };
 
-/// Where the robot is in the map, by its latest odometry and the corrections so far. Needs odometry.
+/// The robot's pose in the map, by its latest odometry and the corrections so far. Needs odometry.
 template <class Profile>
 recon::MapPose robot_pose(const Memory<Profile>& memory) {
   return memory.map.corrected(memory.poses.latest());

@@ -12,7 +12,7 @@
 
 namespace fencepost::loop {
 
-/// Three heartbeats: if stream time stands still for longer, the loop is not live, whatever its last words were.
+/// Three heartbeats: if stream time stops for longer, the loop is not live, whatever it reported last.
 inline constexpr base::Duration kLive = base::milliseconds(300);
 
 class MotionPermit {
@@ -32,8 +32,8 @@ class MotionPermit {
   }
 
  private:
-  // A loop that was kept away begins with what had waited: its words are of then. A sender that paused, too, is behind
-  // for good, and believed again once it has gone on for a while.
+  // After a pause the loop first works off old inputs, so its reports are stale. A sender that paused stays behind for
+  // good; its reports count again once it has gone on for a while.
   void await(base::Time t, base::Time now) {
     const base::Duration own = passed_.since(now);
     if (t < t_ || own - (t - t_) <= kLive) return;
@@ -48,7 +48,7 @@ class MotionPermit {
   bool begun_ = false;
 };
 
-/// mm/s that a robot may have by what is known: more than any drives where that is not said.
+/// The maximum speed in mm/s; INT16_MAX, more than any robot drives, if it is not known.
 constexpr std::int16_t most_of(const record::SpeedLimit& limit) {
   constexpr std::int32_t kUnits = base::Metres::kPerUnit / 1000;
   if (!limit.speed) return INT16_MAX;
@@ -60,7 +60,7 @@ constexpr std::int16_t most_of(const record::SpeedLimit& limit) {
 /// robot.
 class DrivePermit {
  public:
-  /// mm/s; 0: it has to stand.
+  /// mm/s; 0: it has to stop.
   [[nodiscard]] std::int16_t judge(bool may_move, record::AlertLevel level, const record::SpeedLimit& limit) {
     going_ = may_move && (going_ || level < record::AlertLevel::kWarn);
     return going_ ? most_of(limit) : std::int16_t{0};

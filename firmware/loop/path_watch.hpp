@@ -15,8 +15,8 @@ namespace fencepost::loop {
 
 /// The robot's speed is that of its latest odometry over this long.
 inline constexpr base::Duration kMotionSpan = base::milliseconds(200);
-/// The path is that of the latest odometry over this long. More: a turn is known later; less: odometry that wavers
-/// bends the path. Between two boxes 200 ms make 33 false stops in 10 min, 400 ms 20. Hazard table (passing).
+/// Time span of the odometry that gives the path. More: a turn is known later; less: jitter of odometry bends the path.
+/// Between two boxes 200 ms make 33 false stops in 10 min, 400 ms 20. Hazard table (passing).
 inline constexpr base::Duration kPathSpan = base::milliseconds(400);
 
 template <class Profile>
@@ -93,7 +93,7 @@ class PathWatch {
     return blindness(now) != alert::Blindness::kNone;
   }
 
-  /// How fast the robot may be while that is in force. What can drive at any speed has to stand at STOP.
+  /// The maximum speed of the robot while that is in force: 0 at STOP.
   [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const {
     if (beat.level == record::AlertLevel::kBlind) return {beat.t, std::nullopt};
     if (beat.level == record::AlertLevel::kStop) return {beat.t, base::Metres{}};
@@ -121,15 +121,15 @@ class PathWatch {
     return path;
   }
 
-  // Odometry that wavers takes a robot that stands nowhere.
+  // Jitter of odometry does not move a stationary robot.
   [[nodiscard]] recon::Motion motion_now(base::Time now) const {
     const bool fresh = m_.run.last_frame && now - *m_.run.last_frame < alert::kOverdueLeast;
     if (fresh && m_.map.stands()) return {};
     return m_.poses.motion(kPathSpan);
   }
 
-  // With nothing in the path, as before something at the end of what is known. Without the floor nothing is known of
-  // what is no object.
+  // With nothing in the path, the limit is that before something at the end of the known floor. Without the floor it is
+  // then not known, for only objects are.
   void limit_speed(float speed, const alert::AlertRules& rules) {
     const float farthest = alert::stopping_speed(alert::kFarthestKnown, rules.ttc_stop, alert::kFarthestKnown);
     if (speed > farthest && !sees_floor()) return;
@@ -142,7 +142,7 @@ class PathWatch {
     if (reporter_.plots(now)) reporter_.plot(nearest, heartbeat(now));
   }
 
-  // Whether it stands is asked only when it matters: an input is overdue for one that moves.
+  // The longer times of a stationary robot are checked only when an input is overdue for a moving one.
   [[nodiscard]] alert::Blindness blindness(base::Time now) const {
     const alert::Blindness moving = m_.run.sight.blindness(now, false);
     if (moving == alert::Blindness::kNone || !standing()) return moving;
@@ -168,8 +168,8 @@ class PathWatch {
     return true;
   }
 
-  // The guard, which sees the feet of all that stands on the floor, knows nothing where the object should be. What was
-  // never seen whole may be anywhere in the path. What stands above the floor it cannot know, nor what is too far.
+  // True if the guard, which sees all feet on the floor, has no point where the object should be. An object never seen
+  // whole may be anywhere in the path. Things above the floor or too far away the guard cannot know.
   [[nodiscard]] bool unbacked(const recon::ObjectCore& object, const alert::Obstacle& obstacle,
                               const alert::FrontAhead& front, const alert::RobotPlace& by_odometry) const {
     if (obstacle.guessed) return !front.something;

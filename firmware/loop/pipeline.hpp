@@ -249,7 +249,7 @@ class Pipeline {
     if (m_.run.time && !m_.run.testing && beat_due(*m_.run.time)) beat(*m_.run.time);
   }
 
-  /// Of the latest one that was accepted, refused or rejected: is it in the logs, where there are any, and has effects?
+  /// True if the latest input was used: it is in the logs, where there are any, and has effects.
   [[nodiscard]] bool used_input() const { return m_.run.used; }
 
   /// This robot's clock stamps (some of) its inputs: it is `now` by it, and one was just used, or may be. From now on
@@ -316,7 +316,7 @@ class Pipeline {
     return beat;
   }
 
-  /// How fast the robot may be while that is in force.
+  /// The maximum speed of the robot while that is in force.
   [[nodiscard]] record::SpeedLimit speed_limit(const record::Heartbeat& beat) const { return watch_.speed_limit(beat); }
 
   // The contents of a screen, see view::MapSource.
@@ -334,7 +334,7 @@ class Pipeline {
     m_.devices = devices;
     ++m_.choices;
   }
-  // Where the camera is mounted is the robot's, whichever it is.
+  // The camera's mounting belongs to the robot and stays, whichever camera it is.
   void use_delivered_calibration() {
     sensor::CameraIntrinsics camera = m_.devices.calibration();
     if (camera.width == 0) {
@@ -379,7 +379,7 @@ class Pipeline {
     if (m_.waiting.full()) refuse_waiting();
     wait(frame, model);
   }
-  // Not inline: the frame that it makes is no part of the stack of what is called beside it.
+  // Not inlined: the frame that it makes then takes no stack from the functions called beside it.
   [[gnu::noinline]] void wait(const sensor::BlobFrame& frame, std::uint8_t model) {
     m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
   }
@@ -407,7 +407,7 @@ class Pipeline {
   void refuse(console::Refusal reason) { ++m_.counters.refused[static_cast<std::size_t>(reason)]; }
   void refuse_waiting(console::Refusal reason = console::Refusal::kNoPose) {
     if (!m_.run.testing) refuse(reason);
-    // Where the robot was is not known: what comes closer is seen without it.
+    // The robot's pose is not known; looming works without it.
     recon::WaitingFrame& frame = m_.waiting[0];
     m_.looming.look(frame, m_.calibration.models[frame.camera], nullptr);
     m_.waiting.pop_front();
@@ -420,7 +420,7 @@ class Pipeline {
     recon::CorrectionOrder correction;
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
     correction.always = correct == config::kCorrectOn;
-    // By ranges of rows or configured widths. Without, landmarks are placed too badly to judge odometry by them.
+    // Needs ranges by rows or configured widths. Without them landmarks are placed too badly to judge odometry.
     const bool may_judge = correct == config::kCorrectAuto && (camera.pitch_known || widths_told());
     if (correction.always || may_judge) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
     m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction,
@@ -446,7 +446,7 @@ class Pipeline {
     if constexpr (Profile::kSeesFloor) m_.floor.clear();
   }
 
-  // The camera's edges are as sharp as the setting says, else as cameras of so many columns are.
+  // The noise of the camera's edges: by the setting, else by its number of columns.
   [[nodiscard]] recon::MeasurementNoise noise_of(const recon::CameraModel& camera) const {
     recon::MeasurementNoise noise = m_.noise;
     const config::Settings& settings = in_use();
@@ -455,7 +455,7 @@ class Pipeline {
     return noise;
   }
 
-  // Of things of this colour, mm; 0: not configured. The self-test is the same on every robot.
+  // The width of things of this colour, mm; 0: not configured. The self-test is the same on every robot.
   [[nodiscard]] std::uint16_t width_of(std::uint8_t signature) const {
     const record::Signature* known = console::find_signature(signature, m_.signatures.view());
     return known != nullptr && !m_.run.testing ? known->width : std::uint16_t{0};

@@ -145,7 +145,7 @@ class Reporter {
     }
   }
 
-  /// Where the robot was at an exposure, while the pose is corrected.
+  /// Reports the robot's pose at an exposure, while it is corrected.
   void pose(base::Time exposure) {
     if (!logs() || !m_.map.correction().corrects()) return;
     if (m_.run.pose_sent_at.since(exposure) < kPoseInterval) return;
@@ -167,7 +167,7 @@ class Reporter {
     const std::optional<sensor::LinkState> state = watch.observe(source.link(), now);
     if (state && send_link(console::link_words(source, name, *state), *state, now)) watch.sent();
   }
-  /// Somebody begins to read records: both links again.
+  /// A new reader of records: both links are sent again.
   void resend_links() {
     m_.links.camera.resend();
     m_.links.odometry.resend();

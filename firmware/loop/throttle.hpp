@@ -1,5 +1,5 @@
-// How much of their power a board's own motors get, so that the robot is no faster than it may be. Which power makes
-// which speed differs from robot to robot and with its battery: odometry shows it.
+// Controls the power of a board's own motors so that the robot keeps its maximum speed. The speed for a given power
+// differs from robot to robot and with the battery, so odometry closes the loop.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace fencepost::loop {
 
 class Throttle {
  public:
-  /// Several times in 20 ms. `wanted`: % of the power, 0: they stand. `most`: mm/s that the robot may have. `speed`:
-  /// m/s by odometry. The % to give, which is `wanted` when they begin.
+  /// To be called several times in 20 ms. `wanted`: % of the power, 0: stop. `most`: the robot's maximum speed, mm/s.
+  /// `speed`: m/s by odometry. Returns the % to give, which is `wanted` at the start.
   [[nodiscard]] std::int32_t judge(std::int32_t wanted, std::int16_t most, float speed, base::Time now) {
     const std::int32_t full = wanted * kParts;
     if (wanted == 0 || power_ == 0) {
@@ -30,15 +30,15 @@ class Throttle {
 
  private:
   static constexpr std::int32_t kParts = 16;  ///< of a percent
-  /// Odometry shows a change after about as long. More: late; less: power that swings. By design.
+  /// Time between two changes, about that until odometry shows one. More: late; less: power that swings. By design.
   static constexpr base::Duration kInterval = base::milliseconds(100);
-  /// Of the power that is taken off where the robot is too fast: the speed limit of one that obeys falls by a twelfth
-  /// meanwhile. By design.
+  /// The power is reduced by one part in kLess where the robot is too fast. Meanwhile the speed limit of a robot that
+  /// obeys falls by a twelfth. By design.
   static constexpr std::int32_t kLess = 8;
-  /// Likewise, added where it is slower than it may be. More: motors that need some power to move at all swing. By
-  /// design.
+  /// Likewise, one part in kMore is added where the robot is slower than it may be. More power added: motors that need
+  /// some power to move at all swing. By design.
   static constexpr std::int32_t kMore = 32;
-  /// Share of what it may have that is fast enough. By design.
+  /// Share of the maximum speed that is fast enough. By design.
   static constexpr float kEnough = 0.75F;
 
   void adjust(std::int16_t most, float speed) {

@@ -68,7 +68,7 @@ class FieldReader {
   }
   /// Is the next field empty? Then it is read.
   bool left_empty(bool& is_empty) { return is_empty = skip_empty(); }
-  /// So many fields with nothing in them.
+  /// Reads `count` empty fields.
   void empty(int count) {
     for (int i = 0; i < count; ++i) require(skip_empty());
   }

@@ -64,7 +64,7 @@ class FieldWriter {
     if (is_empty) put(',');
     return is_empty;
   }
-  /// So many fields with nothing in them.
+  /// Writes `count` empty fields.
   void empty(int count) {
     for (int i = 0; i < count; ++i) put(',');
   }

@@ -38,7 +38,7 @@ class LineReader {
     return gate.reject ? count_rejected(*gate.reject) : count_record(*result);
   }
 
-  /// For whoever cuts the lines: one that was too long, or unfinished at the end of the stream.
+  /// Counts a line that never came whole: it was too long, or unfinished at the end of the stream.
   LineOutcome count_foreign();
   LineOutcome count_rejected(Reject reason);
 

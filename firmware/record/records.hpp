@@ -222,7 +222,7 @@ struct SectorReport {
   friend constexpr bool operator==(const SectorReport&, const SectorReport&) = default;
 };
 
-/// How a robot may move on: along a straight line or an arc, or on the spot.
+/// The motion along a way: on a straight line or an arc, or on the spot.
 enum class WayMotion : std::uint8_t { kForward, kBack, kSpin };
 
 constexpr std::string_view name(WayMotion motion) {

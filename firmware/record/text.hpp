@@ -1,4 +1,4 @@
-// How characters and hex numbers are put on a line.
+// Characters and hex numbers on a line.
 #pragma once
 
 #include <algorithm>

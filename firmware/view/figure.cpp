@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int32_t kSmallest = 3;  // pixels of radius: less is not seen
 
-// The corners of what all sides of an outline enclose. A side that lies beyond the corner of its neighbours has none.
+// The corners of the polygon that all sides of an outline enclose. A side beyond the corner of its neighbours has none.
 class Corners {
  public:
   explicit Corners(const recon::OutlineView& outline) : outline_(outline) {
@@ -37,7 +37,7 @@ class Corners {
   [[nodiscard]] bool beyond(std::size_t side, const recon::Vec2& point) const {
     return recon::node_direction(side, outline_.offsets.size()).dot(point) > outline_.offset(side) + kTouches;
   }
-  // Where the side at this place and the next one meet.
+  // The corner between the side at this place and the next one.
   [[nodiscard]] recon::Vec2 meet(std::size_t place) const {
     const std::size_t nodes = outline_.offsets.size();
     const std::size_t first = sides_[place];
@@ -55,7 +55,7 @@ class Corners {
   std::size_t end_ = 0;
 };
 
-// All corners do not fit, but where many sides are short they are near each other: so many, evenly spread.
+// If all corners do not fit, evenly spread ones are kept: many short sides have their corners near each other.
 Polygon make_outline(const console::MapShape& shape, const Window& window) {
   const Corners corners(shape.outline);
   const std::size_t most = std::min(corners.size(), Polygon::kMax);

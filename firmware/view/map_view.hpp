@@ -76,7 +76,7 @@ class MapView {
     named_ = row_ = 0;
   }
 
-  // All of it, until somebody zooms; then the robot is in the middle.
+  // All of the map, until the user zooms; then the robot is in the middle.
   [[nodiscard]] Window window() const {
     console::MapMillimetres robot;
     if (const auto pose = source_.robot()) robot = console::millimetres(pose->position);

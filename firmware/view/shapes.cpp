@@ -17,7 +17,7 @@ struct Reach {
   }
 };
 
-// Where the edge from the upper end `a` to `b` is at a height of so many half pixels, cut off at its ends.
+// The x at `half_y` half pixels of the edge from the upper end `a` to `b`, clamped to its ends.
 std::int32_t x_at(Point a, Point b, std::int32_t half_y) {
   const std::int32_t height = 2 * (b.y - a.y);
   const std::int32_t along = std::clamp<std::int32_t>(half_y - 2 * a.y, 0, height);

@@ -51,7 +51,7 @@ struct Disc {
   void paint(Row& row) const;
 };
 
-/// A convex polygon. Corners that it has no room for are left out: whoever adds them thins them out before.
+/// A convex polygon. Corners beyond its capacity are left out; the caller has to thin them out before.
 class Polygon {
  public:
   static constexpr std::size_t kMax = 24;

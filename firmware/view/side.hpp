@@ -21,7 +21,7 @@ struct LevelSign {
   Label word;
 };
 LevelSign level_sign(record::AlertLevel level);
-/// Of the nearest credible object; dashes without one.
+/// The distance of the nearest credible object; dashes without one.
 Label distance_label(const std::optional<console::Nearest>& nearest);
 Label bearing_label(const std::optional<console::Nearest>& nearest);
 

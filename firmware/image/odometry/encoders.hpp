@@ -12,8 +12,8 @@
 
 namespace fencepost::image {
 
-/// A pose every 20 ms from the counts as they stand. Encoders cannot be seen to be missing: a wheel that never turns
-/// looks the same. So the link is empty until the first count, then ok.
+/// A pose every 20 ms from the present counts. Missing encoders look like a wheel that never turns. So the link is
+/// empty until the first count, then ok.
 class Encoders {
  public:
   static constexpr std::array kOdometries = {config::OdometryId::kEncoders};
