@@ -36,7 +36,7 @@ struct Sighting {
   double middle = 0;  ///< its middle column
 };
 
-/// Standard deviations of what the image tells, px: of a box's middle, of its width, of one edge alone, of a row.
+/// Standard deviations of measurements in the image, px: a box's middle, its width, one edge alone, a row.
 struct ImageNoise {
   double middle = 1;
   double width = 1;
@@ -73,7 +73,7 @@ struct CalibrationProblem {
   CameraValues camera_sigma{};  ///< how far off it may be
   WheelValues wheel_sigma{};
   ImageNoise noise{};
-  double drift = 1;  ///< the odometry's random errors of turns are so many times those of good wheels
+  double drift = 1;  ///< the odometry's random errors of turns over those of good wheels
   double walk = 1;   ///< and those of ways
 };
 

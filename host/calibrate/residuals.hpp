@@ -26,7 +26,7 @@ SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& 
 
 std::vector<SightingResidual> residuals_at(const CalibrationProblem& problem, const Estimate& estimate);
 
-/// The image's noise, by the median of what the residuals are: a few wrong ones do not matter.
+/// The image's noise by the median of the residuals: a few outliers do not matter.
 ImageNoise noise_of(const std::vector<SightingResidual>& residuals);
 
 /// One edge for the picture: where in the image, and by how much it is missed.

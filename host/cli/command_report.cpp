@@ -53,7 +53,7 @@ std::string thinned_to_fit(const std::string& said) {
 
 /// Without script, of one log.
 Report still_report(const ReportRequest& request) {
-  constexpr std::size_t kMaxAlerts = 2'500;  // in a table and a drawing: half of what there is room for
+  constexpr std::size_t kMaxAlerts = 2'500;  // in a table and a drawing: half of their capacity
   std::optional<Scene> truth;
   if (!request.scenes.empty()) truth = parsed_scene(read_input(request.scenes.front()), request.scenes.front());
   AlertSpool alerts;

@@ -5,8 +5,8 @@
 
 namespace fencepost::host::cli {
 
-/// The command's exit code, or the exit code of what it threw. A Failure has its own. Other exceptions give 3
-/// (unreadable input), or 4 where the system refused a thread or a descriptor.
+/// The command's exit code, or that of its exception. A Failure has its own code. Other exceptions give 3 (unreadable
+/// input), or 4 where the system refused a thread or a descriptor.
 int guarded(const std::function<int()>& command);
 
 }  // namespace fencepost::host::cli

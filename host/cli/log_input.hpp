@@ -27,7 +27,7 @@ class LogInput {
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
   /// Whether gzip packed it; known after the first `next`.
   [[nodiscard]] bool packed() const { return gunzip_ != nullptr; }
-  /// So much of it was read.
+  /// Bytes read so far.
   [[nodiscard]] std::uint64_t position() const { return position_; }
 
  private:

@@ -1,4 +1,4 @@
-// A manual page (roff) of what --help prints.
+// A manual page (roff) with the content of --help.
 #pragma once
 
 #include <string>

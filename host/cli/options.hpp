@@ -30,7 +30,7 @@ class Option {
   Option& within(int least, int most);
   Option& within(double least, double most);
 
-  /// Of a list: so many words follow the option; -1 as `most` is any number.
+  /// Of a list: the number of words that follow the option; -1 as `most` is any number.
   Option& count(int least, int most);
   Option& count(int number) { return count(number, number); }
   /// Of a list: words may also stand in one, between these.

@@ -35,13 +35,13 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// So much of all work, in any unit, is done; `detail` is shown before it, such as "3 of 20 logs". The time left
-  /// follows from the time that this much has taken.
+  /// Work done, of all work, in any unit; `detail` is shown before it, such as "3 of 20 logs". The remaining time
+  /// follows from the time taken so far.
   void at(double done, double all, std::string_view detail = {});
   /// The whole is not known: shows `detail` and the time it has taken.
   void at(std::string_view detail) { at(0, 0, detail); }
 
-  /// Takes the line away until there is news: something else is to be written.
+  /// Takes the line away until the next `at`, so that something else can be written.
   void hide();
 
  private:

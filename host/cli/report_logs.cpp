@@ -27,7 +27,7 @@ constexpr std::size_t kMaxUnpacked = 64'000'000;
 constexpr PackedLog::Room kWholeRoom = {32'000'000, 400'000'000};  ///< as text of a page 43 MB, as a log some 200
 constexpr std::size_t kMinRoom = 30'000;
 
-/// As bytes of so much base64.
+/// Bytes that base64 of this length unpacks to.
 std::size_t unpacked_base64(std::size_t text) { return text / 4 * 3; }
 std::size_t base64_of(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 

@@ -21,8 +21,8 @@ class Spool {
   void append(std::string_view bytes);
   void clear();
   [[nodiscard]] std::uint64_t size() const { return filed_ + memory_.size(); }
-  /// All of them in order, in portions that are whole multiples of what was appended if all appends were of one size
-  /// that divides kInMemory.
+  /// Reads all bytes in order. If all appends were of one size that divides kInMemory, portions are whole multiples of
+  /// it.
   void read(const std::function<void(std::string_view)>& portion) const;
 
  private:

@@ -86,7 +86,7 @@ struct Opening {
   [[nodiscard]] host::PortRequest port() const;
 };
 
-/// errors, of what opens: host::DeviceFailure
+/// errors, of `open`: host::DeviceFailure
 struct CameraDriver {
   Given<std::unique_ptr<host::CameraDevice> (*)(const Opening&)> open;
   /// Resolution, field of view and latency as the camera's maker says them; the mount is the robot's.

@@ -16,7 +16,7 @@ struct ModelScore {
   Score score;
 };
 
-/// One object at one moment: where it reached so many views, or at the end of the run.
+/// One object at one moment: when it reached this number of views, or at the end of the run.
 struct Cut {
   std::uint32_t views = 0;
   bool end = false;

@@ -12,7 +12,7 @@ namespace {
 
 using Matches = std::vector<std::optional<std::size_t>>;
 
-/// Distance as a share of what is allowed; kNeverPaired beyond.
+/// Distance as a share of the allowed one; kNeverPaired beyond.
 double cost(const ObjectResult& object, Point place, const SceneObject& truth) {
   if (truth.signature != object.signature) return kNeverPaired;
   const Point center = centroid(truth.footprint);

@@ -13,7 +13,7 @@
 
 namespace fencepost::host {
 
-/// A thread that simulates until so many frames wait.
+/// A thread that simulates until a fixed number of frames waits.
 class SimulatedTruths::Ahead {
  public:
   explicit Ahead(const Scene& scene) : simulating_([this, &scene] { simulate_all(scene); }) {}

@@ -50,7 +50,7 @@ Contact contact_of(const Side& s, const Side& t) {
     const double share = ((t.a.x - s.a.x) * v.y - (t.a.y - s.a.y) * v.x) / (u.x * v.y - u.y * v.x);
     return {Meeting::kCross, {s.a.x + share * u.x, s.a.y + share * u.y}};
   }
-  // Ends of one that lie on the other: one place, or both ends of what they have in common.
+  // Ends of one side that lie on the other: one place, or both ends of the common part.
   std::vector<Point> shared;
   const auto add = [&](int side, Point end, const Side& other) {
     if (side == 0 && between(end, other.a, other.b) && std::find(shared.begin(), shared.end(), end) == shared.end()) {

@@ -213,7 +213,7 @@ class MrclamImport {
     if (!frame.blobs.push_back(blob)) ++skipped_["rows beyond 16 in one frame"];
   }
 
-  // The bottom row of what stands on the floor `depth` before the lens, unless that is below the image.
+  // The bottom row of a thing on the floor `depth` before the lens, unless that is below the image.
   void put_foot(double depth, sensor::Blob& blob) const {
     const double row = parts_.camera.cy.to_double() + parts_.camera.fy.to_double() * kLensHeight / depth - 0.5;
     if (depth > 0 && row < blob.y2) blob.y2 = static_cast<std::int16_t>(std::lround(row));

@@ -133,7 +133,7 @@ class PatientConsole {
   void tend(base::Time now);
   /// Bytes discarded.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
-  /// For how long it has taken nothing of what waits.
+  /// Time since which it has taken none of the waiting output.
   [[nodiscard]] base::Duration stuck() const { return stuck_since_ ? now_ - *stuck_since_ : base::Duration{}; }
 
  private:

@@ -24,7 +24,7 @@ struct RunPlan {
   std::string profile = "full";  ///< one of kLiveProfiles
   console::Mode mode = console::Mode::kText;
   std::string version;                     ///< of the program, for FPHDR
-  std::optional<std::uint64_t> frames;     ///< stop after so many frame records
+  std::optional<std::uint64_t> frames;     ///< stop after this number of frame records
   std::optional<base::Duration> duration;  ///< stop after so long
   bool console_is_people = false;          ///< standard error is read beside the console: link messages go there only
   bool ends_without_log = false;           ///< a log that cannot be written any more ends the run

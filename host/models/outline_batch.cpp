@@ -22,7 +22,7 @@ std::int16_t whole_offset(float offset) {
   return static_cast<std::int16_t>(exact < 0 ? exact - 0.5F : exact + 0.5F);
 }
 
-// `work` with so many objects as a constant: mostly it is one.
+// Calls `work` with the count as a constant; mostly it is one.
 template <class Work>
 void with_count(std::size_t count, const Work& work) {
   switch (count) {

@@ -23,7 +23,7 @@ class OutlineBatch {
   static bool takes(const HybridCore& hybrid) { return hybrid.views >= kViewsForPolygon; }
 
   [[nodiscard]] bool full() const { return count_ == kLanes; }
-  /// `known_radius`: of what it is the outline, m; 0: not known. Not when full.
+  /// `known_radius`: of the object, m; 0: not known. Not when full.
   void add(Hybrid<kRing>& hybrid, float known_radius);
   /// All that were added: as HybridSolver<64, 3>::solve() would leave them. Then there are none.
   void solve();

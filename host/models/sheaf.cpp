@@ -79,8 +79,8 @@ EdgeView view_of_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
   return view;
 }
 
-// Posts of one view lie on one ray, so many are almost in line, and a short edge is useless far along its line. Only
-// the nearest edge and the run of visible ones around it are trusted.
+// Posts of one view lie on one ray: many are almost in line, and a short edge is useless far along its line. Only the
+// nearest edge and the run of visible ones around it are trusted.
 VisibleEdges visible_from(std::span<const Vec2> v, std::size_t size, const Vec2& point) {
   std::size_t nearest = 0;
   EdgeView best = view_of_edge(v[0], v[following(0, size)], point);

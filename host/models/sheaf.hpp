@@ -30,7 +30,7 @@ inline constexpr float kParallaxMost = 1.0F;          ///< chord of 60 deg
 inline constexpr float kPostNearest = 0.02F;          ///< m along both rays: nearer ones are behind or in a lens
 inline constexpr float kPostFarthest = 4.0F;          ///< m from the local origin, as far as the tables' scenes reach
 inline constexpr float kTrimRadii = 2.5F;             ///< posts farther than this many median radii are dropped,
-inline constexpr std::size_t kTrimPosts = 6;          ///< when there are at least so many posts
+inline constexpr std::size_t kTrimPosts = 6;          ///< minimum number of posts for it
 inline constexpr float kHullTolerance = kShallowestCut;  ///< m: a post outside by less does not change the hull
 
 /// One view as the sheaf keeps it: 32 bytes. Local frame of the object, metres.

@@ -73,7 +73,7 @@ struct SeriesSums {
   Spread spread;
 };
 
-/// One pass over all tangents. `trusted`: none is doubted.
+/// One pass over all tangents. `trusted`: all are inliers.
 void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, const Widening& widening, bool trusted,
                 SeriesSums& sums);
 

@@ -124,7 +124,7 @@ void Believed::say(Said said) {
 
 record::AlertLevel Believed::level() const {
   record::AlertLevel level = beat_ ? beat_->level : record::AlertLevel::kClear;
-  // A heartbeat is a tenth of a second old; an alert is not, and in doubt the screen says more.
+  // A heartbeat may be a tenth of a second older than an alert: the screen shows the higher level.
   for (const auto& [id, alert] : alerts_) level = std::max(level, alert.level);
   return level;
 }

@@ -60,7 +60,7 @@ class Believed {
   [[nodiscard]] const std::optional<record::Heartbeat>& beat() const { return beat_; }
   [[nodiscard]] const std::deque<Said>& said() const { return said_; }
   [[nodiscard]] double frame_rate() const;  ///< /s, of the last second
-  /// "red", "sig 3", of what is no object "something".
+  /// "red", "sig 3"; "something" where it is no object.
   [[nodiscard]] std::string name_of(std::uint32_t id, std::uint8_t signature) const;
 
   static constexpr std::size_t kMaxSaid = 100;

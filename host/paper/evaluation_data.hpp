@@ -76,12 +76,12 @@ struct PaperData {
   std::vector<SequenceData> ideal;        ///< the same scenes without noise
   std::vector<ReacquisitionScore> table;  ///< by algorithm, over `table_scenes` scenes
   std::size_t table_scenes = 0;
-  Examples examples;               ///< in those scenes; of what there is none, in hard ones
+  Examples examples;               ///< in those scenes; outcomes that they lack are from hard ones
   std::vector<Sequence> sequence;  ///< by algorithm: the shown scene's landmarks, by models of all its images
   std::vector<std::vector<NoveltySample>> novelty;  ///< by algorithm, over `noisy`
 };
 
-/// Images after which the means over scenes are taken, as far as there are so many.
+/// Numbers of images after which the means over scenes are taken, as far as a scene has them.
 inline const std::vector<std::size_t> kMeanImages{2, 4, 6, 8, 12, 18, 24, 30, 36, 40, 50, 60, 75};
 
 /// Gets a description of the finished step, and its work in units of one table scene.

@@ -31,7 +31,7 @@ struct Claim {
   std::string text;
   bool of_scenes = true;   ///< may hold in one scene and not in the next
   std::size_t scenes = 0;  ///< that were looked at one by one, and allow to say anything about it
-  std::size_t holds = 0;   ///< in so many of them
+  std::size_t holds = 0;   ///< number of them in which it does
 
   [[nodiscard]] bool good() const { return kind == ClaimKind::kMatches || kind == ClaimKind::kBeyond; }
 };
@@ -50,7 +50,7 @@ struct PaperFigure {
   void add_file(std::string name, std::string bytes) { files.push_back({std::move(name), std::move(bytes)}); }
   /// A claim of the paper. `holds`: the claim is kMatches, otherwise kDiffers and `otherwise` is appended.
   void say(const std::string& key, bool holds, const std::string& text, const std::string& otherwise = {});
-  /// A comparison of what the paper does not have with what it has.
+  /// Compares an algorithm that the paper does not have with the paper's own.
   void compare(const std::string& key, bool better, const std::string& text);
   void add(const std::string& markup) { html += markup; }
 };

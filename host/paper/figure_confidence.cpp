@@ -98,7 +98,7 @@ std::string empty_cell(const PaperData& data, std::size_t algorithm) {
   return fmt::format("{} of {}", empty, models);
 }
 
-/// "8, 18 and 36", as far as there are so many images.
+/// "8, 18 and 36", as far as the data has that many images.
 std::string novelty_sets(const PaperData& data) {
   std::vector<std::string> sets;
   for (const std::size_t images : kNoveltySets) {
@@ -112,7 +112,7 @@ std::string novelty_sets(const PaperData& data) {
 }
 
 Chart novelty_chart(const Algorithm& algorithm, const std::vector<NoveltySample>& samples) {
-  constexpr std::size_t kShown = 25;  ///< of so many viewpoints, one is a dot
+  constexpr std::size_t kShown = 25;  ///< one of this many viewpoints is shown, as a dot
   Chart chart{std::string(algorithm.label), "novelty of the viewpoint", "match confidence", 0, 1, 0, 1, {}};
   ChartSeries dots{"", std::string(algorithm.colour), {}, {}, false, true, 0.35};
   for (std::size_t i = 0; i < samples.size(); i += kShown) {

@@ -8,7 +8,7 @@ namespace {
 constexpr int kScale = 2;  ///< of images on the page
 constexpr sensor::Rgb kBlack{20, 24, 30};
 
-/// Each pixel so many times in both directions, as drawn pictures are.
+/// Enlarges by whole pixels, `scale` times in both directions, as drawn pictures are.
 Picture enlarged(const Picture& picture, int scale) {
   Picture large{picture.width * scale, picture.height * scale, {}};
   large.rgb.reserve(picture.rgb.size() * static_cast<std::size_t>(scale * scale));

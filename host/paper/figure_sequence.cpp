@@ -131,7 +131,7 @@ void claim_hybrid(const PaperData& data, PaperFigure& fig) {
   }
 }
 
-/// The paper's 2, 4, 8 and 18, as far as there are so many.
+/// The paper's 2, 4, 8 and 18, as far as the tour has that many images.
 std::vector<std::size_t> shown_images(const PaperData& data) {
   std::vector<std::size_t> images{2, 4, 8, 18};
   std::erase_if(images, [&](std::size_t n) { return n > data.shown.tour.frames.size(); });

@@ -140,7 +140,7 @@ struct Judge {
     return std::min(1.0F, area / square_of(known.reach + kRegionMargin));
   }
 
-  // Binomial: so many of the expected ones but two, whose match made the motion, each by its chance.
+  // Binomial over the expected ones, each by its chance, without the two whose match made the motion.
   [[nodiscard]] JoinQuality quality() const {
     JoinQuality result;
     float largest[2] = {0, 0};  // the two that made it are taken for the likeliest

@@ -37,7 +37,7 @@ enum class JoinVerdict : std::uint8_t {
   kTooFew,        ///< objects of a colour that both maps have: fewer than kFewestMatches
   kNoMatch,       ///< no motion lays kFewestMatches of them on each other
   kChance,        ///< one does, but strangers might, too
-  kContradicted,  ///< one does, and most of what should be there by it is not
+  kContradicted,  ///< one does, but most objects that it predicts are missing
   kAmbiguous,     ///< several do: equal things in an equal pattern
 };
 
@@ -46,7 +46,7 @@ struct JoinQuality {
   float chance = 1;           ///< that its matches but two meet by chance, for one motion tried
   float misfit = 0;           ///< m^2, sum of squares
   std::uint8_t matched = 0;   ///< objects
-  std::uint8_t expected = 0;  ///< seen objects inside the known map; the rest is news
+  std::uint8_t expected = 0;  ///< seen objects inside the known map; the rest is new
 };
 
 struct JoinResult {

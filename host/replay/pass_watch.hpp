@@ -17,7 +17,7 @@ class PassWatch {
   void look(double t, std::uint32_t id, std::uint8_t signature, Point relative, double radius);
 
   [[nodiscard]] const std::vector<PassResult>& passes() const { return passes_; }
-  /// So many that what follows was not noted.
+  /// No further pass is noted.
   [[nodiscard]] bool full() const { return passes_.size() == kMax; }
 
   /// Forgets what was ahead and is in the map no more, once there is more of it than the map holds.

@@ -61,7 +61,7 @@ struct Unreadable {
 struct ReplayOutcome {
   ResultDocument result;
   CheckOutcome check;
-  std::vector<std::string> complaints;   ///< signatures or settings not taken, a doubtful camera: one sentence each
+  std::vector<std::string> complaints;   ///< signatures or settings not taken, an implausible camera: one sentence each
   std::optional<Unreadable> unreadable;  ///< set: empty or foreign input, other format, no usable frame, no such run
   std::uint32_t runs = 0;                ///< that have begun; with `options.run` none after it is looked for
 };

@@ -43,7 +43,7 @@ std::vector<std::string_view> letters_of(std::string_view text) {
   return letters;
 }
 
-/// Its first and last letters, `left` of them, and a mark of what is missing.
+/// Its first and last letters, `left` of them, with a mark in place of the rest.
 std::string without_middle(const std::vector<std::string_view>& letters, std::size_t left, const std::string& behind) {
   const std::size_t head = (left + 1) / 2;
   std::string text;

@@ -59,7 +59,7 @@ struct ObjectResult {
   double confidence = 0;
   std::vector<ModelResult> models;
   double sigma = 0;  ///< m, of each coordinate of the cylinder's centre by its own views; 0: there is none
-  double base = 0;  ///< m, of its foot, or of what hides it, above the floor; 0 unless its rows speak against the floor
+  double base = 0;   ///< m above the floor: its foot, or what hides it; 0 unless its rows contradict the floor
   std::optional<NextViewResult> next{};
 };
 
@@ -110,7 +110,7 @@ struct ResultDocument {
   std::optional<record::WayReport> ways{};            ///< likewise
   std::optional<base::Metres> speed_limit{};          ///< m/s, likewise
   std::optional<record::SectorReport> sectors{};      ///< at the end; nothing of a profile that has none
-  std::vector<record::CalibrationDoubt> calibration;  ///< each change of what the robot thought of its calibration
+  std::vector<record::CalibrationDoubt> calibration;  ///< each change of the robot's opinion of its calibration
   std::vector<PassResult> passes;                     ///< in order of time
   std::vector<PoseResult> path;                       ///< every odometry sample
   std::vector<record::Signature> signatures;

@@ -31,7 +31,7 @@ std::string alert_list(const ResultDocument& document, const TextOptions& option
 /// The robot's own advice what to check.
 std::string calibration_sentence(const record::CalibrationDoubt& doubt);
 
-/// One line for each change of what the robot thought of its calibration: `12.380 s  check the camera's pitch ...`.
+/// One line for each change of the robot's opinion of its calibration: `12.380 s  check the camera's pitch ...`.
 std::string calibration_list(const ResultDocument& document);
 
 /// "left" or "right": on which side of the object the robot went.
@@ -50,7 +50,7 @@ std::size_t wrong_sides(const ResultDocument& document, const std::vector<SideRu
 std::string counts(const ResultDocument& document, std::uint64_t alerts);
 /// One line: the counts, profile and digest.
 std::string summary_line(const ResultDocument& document);
-/// With so many alerts, which the document need not hold.
+/// With the number of alerts, which the document need not hold.
 std::string summary_line(const ResultDocument& document, std::uint64_t alerts);
 
 }  // namespace fencepost::host

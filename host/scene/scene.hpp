@@ -55,7 +55,7 @@ struct WaypointPath {
   double speed = 0.2;      ///< m/s
   double turn_rate = 0.8;  ///< rad/s, turns on the spot
   double turn_radius = 0;  ///< m; not 0: drives round the points in arcs, as a car has to
-  int laps = 0;            ///< not 0: the last point leads to the first, so often round, and ends there
+  int laps = 0;            ///< rounds; not 0: the last point leads to the first, and the path ends there
   double wait = 0;         ///< s, stands before it goes
 };
 struct PosesPath {

@@ -29,7 +29,7 @@ PathFormat path_format(std::string_view text);
 /// In order of their names, as pictures of a drive are numbered. errors: SegmentProblem with file and line
 std::vector<CameraStand> parse_colmap_images(std::string_view text, const std::string& file);
 
-/// s. A time beyond 1e12 is in nanoseconds, as EuRoC's are: no clock in seconds says so much.
+/// s. A time beyond 1e12 is in nanoseconds, as EuRoC's are: no clock in seconds reaches it.
 inline double seconds_of(double time) { return time > 1e12 ? 1e-9 * time : time; }
 
 /// Times strictly increasing, read by seconds_of(). errors: SegmentProblem with file and

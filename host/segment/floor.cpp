@@ -29,7 +29,7 @@ Matrix3d turned(const Matrix3d& world_r_camera, int clockwise) {
   return axes;
 }
 
-/// Sum of the products of what lies in the floor's plane: rows of images, and the way as a share of its length.
+/// Sum of the outer products of directions in the floor's plane: rows of images, and the way as a share of its length.
 Matrix3d spread(const std::vector<Matrix3d>& axes, const std::vector<CameraStand>& stands) {
   Vector3d middle = Vector3d::Zero();
   for (const CameraStand& stand : stands) middle += stand.position / static_cast<double>(stands.size());

@@ -1,4 +1,4 @@
-// A picture of what was found in an image, for people.
+// A picture of an image's blobs, for people.
 #pragma once
 
 #include <opencv2/core.hpp>

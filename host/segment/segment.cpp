@@ -22,7 +22,7 @@ struct Prepared {
 
 std::string size_text(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-/// Odometry at each exposure, and in between so often that no reader sees a gap.
+/// Odometry at each exposure, and often enough in between that no reader sees a gap.
 std::vector<sensor::OdometrySample> odometry_of(const std::vector<View>& views) {
   constexpr double kLongest = 0.4;  // s; from 0.5 s on it is a gap
   std::vector<sensor::OdometrySample> samples;

@@ -58,7 +58,7 @@ struct SegmentHooks {
 
 /// First pass: the colours of at most 24 views, evenly chosen. Second pass: the regions of all. Same images and
 /// options, same bytes. `camera` is that of the image files; the log has the straightened one. Odometry is given at
-/// each exposure, and in between so often that no reader sees a gap. errors: an image that cannot be read or has
+/// each exposure, and often enough in between that no reader sees a gap. errors: an image that cannot be read or has
 /// another size than the calibration, no region in any image
 SegmentResult segment(const std::vector<View>& views, const sensor::CameraIntrinsics& camera,
                       const SegmentOptions& options, const SegmentHooks& hooks = {});

@@ -31,7 +31,7 @@ class Silhouette {
   /// It is one connected piece, and no ray meets the solid twice: `box` and `columns` tell all.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] const PixelBox& box() const { return box_; }
-  /// Of the box, from its first column to its last; of what is whole.
+  /// Of the box, from its first column to its last; only if `whole`.
   [[nodiscard]] const std::vector<ColumnRun>& columns() const { return columns_; }
   [[nodiscard]] bool covers(int u, int v) const;
   /// No pixel outside of it shows the solid, whole or not. Empty: nothing does.

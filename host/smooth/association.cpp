@@ -13,11 +13,10 @@
 namespace fencepost::host {
 namespace {
 
-// In sigmas of what the image tells.
-constexpr double kFits = 4;        ///< a spare box is an object's
-constexpr double kFitsNoMore = 8;  ///< a box is not its object's any more
+constexpr double kFits = 4;        ///< sigmas: within them a spare box is an object's
+constexpr double kFitsNoMore = 8;  ///< sigmas: beyond them a box is not its object's any more
 
-/// How many sigmas the worst of what the box tells is off; of bearings only what is near: widths tell ranges less well.
+/// The largest misfit of the box's middle, width and foot, in sigmas; of one edge if the other is missing.
 double misfit(const StartedProblem& started, Sighting sighting, std::size_t object) {
   constexpr double kBehind = 1e9;
   sighting.object = object;

@@ -10,8 +10,7 @@ namespace fencepost::host {
 
 std::vector<SmoothedObject> optimum_objects(const StartedProblem& started, const SolverOptions& options);
 
-/// Objects and path of the optimum with what else the online document says of the log. Alerts, guard and doubts are the
-/// robot's own and stay there.
+/// The online document with the objects and path of the optimum. Alerts, guard and complaints stay the robot's own.
 ResultDocument optimum_result(const ResultDocument& online, const DriveLog& log, const StartedProblem& started,
                               const std::vector<SmoothedObject>& objects);
 

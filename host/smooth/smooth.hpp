@@ -56,7 +56,7 @@ struct Smoothed {
   double seconds = 0;
   double driven = 0;        ///< m
   double turned = 0;        ///< rad
-  double drift = 0;         ///< the odometry's random errors of turns are so many times those of good wheels
+  double drift = 0;         ///< the odometry's random errors of turns over those of good wheels
   double walk = 0;          ///< and those of ways
   double edges_before = 0;  ///< px, 68 % are nearer: by the online path, each object where it fits best
   double edges_after = 0;

@@ -66,7 +66,7 @@ std::string par_rows(const Par& par) {
                             par.end_off, par.heading_mean * kDegrees);
 }
 
-/// At most so many points: more cannot be seen.
+/// At most kMax points: more cannot be seen.
 Json path_json(const std::vector<PoseResult>& path) {
   constexpr std::size_t kMax = 2000;
   Json points = Json::array();

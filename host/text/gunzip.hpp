@@ -14,7 +14,8 @@ namespace fencepost::host {
 /// By the first two bytes.
 bool is_gzip(std::string_view bytes);
 
-/// Bytes, unpacked, of what is read as a whole: an hour of driving has 9 MB. A few KB of gzip can become many GB.
+/// Maximum bytes, unpacked, of a file that is read as a whole: an hour of driving has 9 MB. A few KB of gzip can become
+/// many GB.
 inline constexpr std::size_t kMaxWhole = 64'000'000;
 
 /// All of its members one behind the other; nothing where it is damaged or cut off. Stops behind `most` bytes: the

@@ -10,7 +10,7 @@ using segmenter::ColourRange;
 
 /// Of the mean of red, green and blue: one level of noise is a share of 1/48 there.
 constexpr int kMinBrightness = 16;
-/// Light that falls to a quarter of what it was.
+/// Factor by which light may fall.
 constexpr int kLightFalls = 4;
 /// Share of a box that may show something else, at each end of a range.
 constexpr double kOutliers = 0.02;
@@ -89,7 +89,7 @@ class Training {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(u);
   }
 
-  /// The range of what the boxes show, but for outliers. Pixels that are too dark have no shares.
+  /// The range of the boxes' colours without outliers. Pixels that are too dark have no shares.
   void find_core() {
     std::vector<int> red;
     std::vector<int> green;

@@ -35,7 +35,7 @@ class Visitor {
   [[nodiscard]] bool follows_log() const { return state_ == State::kFollowing; }
 
   static constexpr std::chrono::seconds kAskTime{5};     ///< for the whole request
-  static constexpr std::chrono::seconds kStuckTime{30};  ///< without taking a byte of what waits
+  static constexpr std::chrono::seconds kStuckTime{30};  ///< maximum time without taking a byte of the waiting answer
   static constexpr std::chrono::seconds kLeaveTime{2};   ///< to hang up after the last byte
 
  private:

@@ -13,7 +13,7 @@
 
 namespace fencepost::host {
 
-/// How much of what stands there the map has, and how much it has in vain.
+/// The map's errors against the true footprints.
 struct MapScore {
   std::optional<double> recklessness;  ///< share of the true footprints that the map does not enclose
   std::optional<double> paranoia;      ///< share of the map where nothing stands; nothing of a map without area

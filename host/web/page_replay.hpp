@@ -16,7 +16,7 @@ class PageReplay final : private RunObserver {
  public:
   /// `profile`: micro, small, full; empty: the log's.
   explicit PageReplay(std::string_view profile) : PageReplay(of_profile(profile)) {}
-  /// `options`: those of the map and of what is kept; the observer is this.
+  /// `options`: of the map and of the data to keep; the observer is this.
   explicit PageReplay(ReplayOptions options) : options_(observed(std::move(options))) {}
   PageReplay(const PageReplay&) = delete;
   PageReplay& operator=(const PageReplay&) = delete;

@@ -15,7 +15,7 @@ namespace fencepost::host {
 
 struct ThinnedText {
   std::string packed;  ///< JSON, as gzip packs it
-  std::string said;    ///< a sentence: how much of what is in it
+  std::string said;    ///< a sentence: how much of the run it has
 };
 
 /// In memory that does not grow with the log.

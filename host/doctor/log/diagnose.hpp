@@ -11,8 +11,8 @@ namespace fencepost::host::doctor {
 
 inline double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// `makers`: the cameras that are known, as their makers describe them. `distances`: what is wrong with them, for a
-/// reason that was found; then the robot's own doubt, which knows none, is left out.
+/// `makers`: the known cameras, as their makers describe them. `distances`: faults of distances whose cause was found.
+/// They replace the robot's own complaint about them, which knows no cause.
 Findings diagnose(const LogSurvey& survey, const std::vector<sensor::CameraIntrinsics>& makers,
                   const Findings& distances = {});
 

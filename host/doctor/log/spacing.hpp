@@ -33,7 +33,7 @@ class Sample {
   }
   /// In the order of `add`.
   [[nodiscard]] const std::vector<double>& kept() const { return kept_; }
-  /// Each stands for so many.
+  /// Samples that each kept one represents.
   [[nodiscard]] std::uint64_t step() const { return step_; }
 
  private:

@@ -11,7 +11,7 @@ namespace fencepost::emulate {
 enum class CmuCamJudgement : std::uint8_t {
   kAct,
   kAccept,   ///< with an ACK, though it changes nothing here
-  kRefuse,   ///< it is known, but not with so many arguments
+  kRefuse,   ///< it is known, but not with this number of arguments
   kUnknown,  ///< NCK
 };
 

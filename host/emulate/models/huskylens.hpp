@@ -12,9 +12,9 @@
 namespace fencepost::emulate {
 
 /// Protocol 0.5.1: knock, algorithm, version, and blocks in each of the ways to ask for them. There are no arrows;
-/// learning, names, texts, photos and models are acknowledged alone. With a bad checksum, and of what it does not know,
-/// it says nothing. Sees coloured blobs while the algorithm is that of colours; signatures
-/// are ids. What it does in its first second is not known: here nothing.
+/// learning, names, texts, photos and models are acknowledged alone. A bad checksum or an unknown command gets no
+/// answer. Sees coloured blobs while the algorithm is that of colours; signatures are ids. Its first second is not
+/// documented: it is assumed deaf.
 class HuskyLens final : public DeviceModel {
  public:
   static constexpr base::Duration kDeaf = base::milliseconds(1'000);

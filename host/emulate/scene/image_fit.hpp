@@ -22,7 +22,7 @@ struct ImageLimits {
   double max_rate = 60;  ///< images a second
 };
 
-/// Counts of what a device could not report.
+/// Counts of blobs and boxes that a device could not report.
 struct FitLosses {
   std::uint64_t signatures = 0;  ///< blobs of signatures that it does not have
   std::uint64_t blobs = 0;       ///< beyond its limit

@@ -12,9 +12,9 @@ namespace fencepost::emulate {
 
 struct PlaybackSettings {
   double speed = 1;                       ///< of the feed; the devices themselves stay as fast as they are
-  std::optional<base::Duration> delay;    ///< time begins at the latest so long after the start
+  std::optional<base::Duration> delay;    ///< maximum time from the start until time begins
   bool loop = false;                      ///< the feed from the front again; wheels go on from where they are
-  std::optional<base::Duration> seconds;  ///< the end, so long after time began
+  std::optional<base::Duration> seconds;  ///< length, from the beginning of time
 };
 
 /// Time begins once at least one device has been in use, and none connected but not in use, for kSettle. Until then the

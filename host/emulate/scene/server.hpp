@@ -34,7 +34,7 @@ class Server {
     bool hung_up = false;
     std::uint32_t baud = 0;  ///< of the host, as last compared with the device's
     std::uint64_t lost = 0;
-    std::uint32_t garbage = 1;  ///< state of what arrives at another baud rate
+    std::uint32_t garbage = 1;  ///< state of the random bytes for a host at another baud rate
   };
   void tend(std::size_t index, base::Time now);
   void follow_plug(std::size_t index);

@@ -19,8 +19,8 @@ struct FaultSettings {
   base::Duration stall_time;
   double late = 0;  ///< that something the device says comes late
   base::Duration late_time;
-  base::Duration reboot;  ///< the device is switched off and on each time so much has passed
-  base::Duration unplug;  ///< the line is hung up each time so much has passed, for a time
+  base::Duration reboot;  ///< period at which the device is switched off and on
+  base::Duration unplug;  ///< period at which the line is hung up for a time
   base::Duration unplug_time;
 };
 

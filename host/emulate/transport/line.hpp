@@ -40,7 +40,7 @@ class Line {
   [[nodiscard]] std::optional<base::Time> next_to_device() const { return next(to_device_); }
   /// Nothing is on its way to the host.
   [[nodiscard]] bool idle() const { return to_host_.empty(); }
-  /// So much is on its way that a sender has to wait.
+  /// The line is full: a sender has to wait.
   [[nodiscard]] bool full() const { return to_host_.size() + to_device_.size() >= kMaxOnItsWay; }
   /// From now on; 0: as fast as it goes.
   void set_baud(std::uint32_t baud);

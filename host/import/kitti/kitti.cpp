@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kKittiLensHeight = 1.65;  // m above the road; source: KITTI's description of its car
 constexpr double kCarWidth = 1.8;          // m, of the recording car
-constexpr int kMaxOccluded = 1;            // partly: the box of what is largely hidden is a guess
+constexpr int kMaxOccluded = 1;            // partly: the box of a largely hidden thing is a guess
 
 /// Which labelled cars were parked: m, of the places that one track has in the world.
 constexpr double kMaxScatter = 0.6;     // median distance from the median place

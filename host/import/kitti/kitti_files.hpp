@@ -37,7 +37,7 @@ struct KittiFrame {
   TimedPose pose;  ///< of the camera in the plane: x ahead at the start, y left
   std::vector<KittiLabel> labels;
 
-  /// World place of what is `right` and `ahead` of the camera.
+  /// World place of a point `right` and `ahead` of the camera, m.
   [[nodiscard]] Point place(double right, double ahead) const;
 };
 

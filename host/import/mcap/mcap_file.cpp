@@ -81,7 +81,7 @@ class McapReader {
   void take_chunk(Fields& fields) {
     static_cast<void>(fields.take(16));  // times of its messages
     const auto size = fields.integer<std::uint64_t>();
-    static_cast<void>(fields.integer<std::uint32_t>());  // CRC-32 of what is in it
+    static_cast<void>(fields.integer<std::uint32_t>());  // CRC-32 of the chunk
     const std::string compression(fields.string());
     const std::string_view packed = fields.take(fields.integer<std::uint64_t>());
     // A chunk within a chunk, which the specification does not know, could be within itself.

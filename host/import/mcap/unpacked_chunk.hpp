@@ -11,7 +11,7 @@ namespace fencepost::host {
 /// One that is unpacked, by the name that the mcap tool has for it.
 extern const std::string_view kReadCompression;
 
-/// `size`: of what comes out; less comes out of a damaged one. Nothing: `compression` is none that is unpacked.
+/// `size`: unpacked; a damaged chunk gives less. Nothing: `compression` is unknown.
 std::optional<std::string> unpacked_chunk(std::string_view compression, std::string_view packed, std::size_t size);
 
 }  // namespace fencepost::host

@@ -1,6 +1,6 @@
 // Colours that are distinct with every common kind of colour vision (Okabe and Ito), and a mark for each signature.
 
-const WHEEL = [  // hue of what a camera was taught, and what is drawn for it by day and by night
+const WHEEL = [  // a trained colour's hue, and the colour that is drawn for it by day and by night
   { hue: 5, light: "#c24a00", dark: "#ff7a3d" },     // red: vermilion
   { hue: 35, light: "#a86f00", dark: "#e69f00" },    // orange
   { hue: 58, light: "#8a7a00", dark: "#f0e442" },    // yellow

@@ -100,7 +100,7 @@ function drawPath({ g, eye, ink, view: { path } }) {
   g.stroke();
 }
 
-// The edges of what the camera sees, to a frame 0.4 m ahead.
+// The edges of the camera's view, to a frame 0.4 m ahead.
 function drawFrustum({ g, eye, ink, view, pose }) {
   const { camera } = view.result;
   if (!camera || !pose || camera.lens) return;

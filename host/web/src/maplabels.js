@@ -32,7 +32,7 @@ function objectLabels({ g, window, ink, theme, selected }, labels, placed) {
     ink: object.id === selected ? ink.accent : ink.ink, colour: colourOf(object.rgb, object.signature, theme) }));
 }
 
-/** Marks, then names: of what was seen most first. `axes`: where numbers stand; they are `placed` of the canvas then. */
+/** Marks, then names, most seen objects first. `axes`: places of numbers; they are `placed` of the canvas then. */
 export function drawLabels(all) {
   const { canvas, g, window, ink, view, theme } = all;
   const objects = view.result.objects.filter((o) => centreOf(o)).sort((a, b) => (a.state === "tentative") - (b.state === "tentative") || b.views - a.views);

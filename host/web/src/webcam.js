@@ -14,7 +14,7 @@ const WANTED = { audio: false, video: { width: { ideal: 640 }, height: { ideal: 
 const STEP = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const FAR = 8;  // px, of an arrow key; 1 with Shift
 
-const ERRORS = {  // by the name of what getUserMedia throws
+const ERRORS = {  // by the name of getUserMedia's exception
   NotAllowedError: ["camRefused", "camRefusedFix"], SecurityError: ["camPage", "camPageFix"], NotFoundError: ["camNone", "camNoneFix"],
   NotReadableError: ["camBusy", "camBusyFix"], AbortError: ["camBusy", "camBusyFix"], TimeoutError: ["camBusy", "camBusyFix"],
 };
