@@ -23,7 +23,7 @@ struct Contender {
   std::size_t cells = 0;                         ///< of a grid's side
   std::function<void()> run;                     ///< all views of all objects, from a solid arena
   std::function<std::vector<double>()> areas{};  ///< of each object, as the last run left it, m^2
-  bool single_views = false;                     ///< each view cuts a solid arena: what is left says nothing
+  bool single_views = false;                     ///< each view cuts a solid arena: the rest says nothing
 };
 
 using Workload = std::vector<Views>;
@@ -34,7 +34,7 @@ Contender our_clip(const Workload& workload);
 Contender our_carving(const Workload& workload, std::size_t cells);
 /// Each view cuts a solid grid.
 Contender our_dense_carving(const Workload& workload, std::size_t cells);
-/// Clip and grid as one model, the grid placed anew around what is left: what profile `full` does.
+/// Clip and grid as one model, the grid placed anew around the rest, as profile `full` does.
 Contender our_model(const Workload& workload);
 
 /// The textbook's cut on the robot's floats: two arrays, each vertex copied in each cut.

@@ -1,4 +1,4 @@
-// A bus that may answer anything, and a board of such buses, for the worst-case stack of what polls them.
+// A bus that may answer anything, and a board of such buses, for the worst-case stack of the code that polls them.
 #pragma once
 
 #include <cstdint>

@@ -99,7 +99,7 @@ TEST(AlertLevel, AStopAllowsForDoubt) {
   EXPECT_EQ(level(0.351F, 1, true), AlertLevel::kWarn);
 }
 
-// 0.3 m/s is 0.03 m in the 0.1 s until the next look; with the 0.012 m of doubt 0.292 m is near enough.
+// 0.3 m/s is 0.03 m in the 0.1 s until the next look. With the uncertainty of 0.012 m, 0.292 m is near enough.
 TEST(AlertLevel, AStopComesBeforeTheNextLookWouldBeTooLate) {
   const config::Settings defaults;
   const auto level = [&](float distance) {

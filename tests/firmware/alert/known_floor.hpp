@@ -1,4 +1,4 @@
-// A robot, the floor that it has seen and points of the guard, for tests of what it knows all around.
+// A robot, the floor that it has seen and points of the guard, for tests of its knowledge all around.
 #pragma once
 
 #include <cmath>

@@ -69,7 +69,7 @@ class Looks : public testing::Test {
     return looming_.ahead(camera_, path_, rules_, base::Time::nearest(t_));
   }
 
-  /// The highest level that is due in so many seconds.
+  /// The highest level that is due within the next `seconds`.
   AlertLevel highest(double seconds) {
     AlertLevel level = AlertLevel::kClear;
     for (int i = 0; i < std::lround(seconds * kRate); ++i) level = std::max(level, look().due);
@@ -136,7 +136,7 @@ class Looks : public testing::Test {
   std::normal_distribution<double> gauss_;
 };
 
-/// A thing that is seen once, and then frames without it, so many 10^-4 s apart.
+/// A thing that is seen once, and then frames without it; times are in 10^-4 s.
 struct Unseen {
   explicit Unseen(const recon::CameraModel& model) : camera(model) {
     recon::WaitingFrame frame;

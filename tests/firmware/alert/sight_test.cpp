@@ -241,7 +241,7 @@ TEST(Sight, ImagesThatAreSlowerThanOneMayDriveByAreSaidEachTime) {
   EXPECT_GT(frozen_within(inputs, 4), 1.5);
 }
 
-// A thing that stays as it is before a robot that stands shows nothing about the camera.
+// A thing that stays as it is before a stationary robot shows nothing about the camera.
 TEST(Sight, AStandstillMakesNoCameraSlow) {
   Inputs inputs = repeating(0);
   inputs.turn = 0;

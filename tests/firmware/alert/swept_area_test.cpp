@@ -111,7 +111,7 @@ TEST(SweptArea, OfARobotThatReversesIsBehind) {
   EXPECT_FALSE(area.contains(300, 100));
 }
 
-// Odometry that wavers does not tell whether it stands or backs off: what is ahead still counts.
+// Odometry that jitters does not say whether the robot is stationary or backs off: obstacles ahead still count.
 TEST(SweptArea, OfARobotThatHardlyMovesIsOnBothSides) {
   const SweptArea area(path_of(-0.04F, 0.06F), 0);
   EXPECT_TRUE(area.contains(300, 100));

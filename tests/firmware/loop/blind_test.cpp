@@ -177,7 +177,7 @@ TEST(Blind, IsSaidWhileAllThatComesIsRejected) {
   EXPECT_GE(records.beats.back().t.to_double(), 2.85);
 }
 
-// A replay knows nothing of what was refused: no frame is given up because it came.
+// A replay knows nothing of refused inputs: no frame is given up because one came.
 TEST(Blind, WhatIsRefusedHasNoEffects) {
   BlindRobot robot(console::Mode::kLog);
   robot.run(2);

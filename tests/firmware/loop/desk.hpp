@@ -16,7 +16,7 @@
 
 namespace fencepost::test {
 
-/// Gives what was typed in chunks, takes at most so many bytes a turn.
+/// Gives the typed bytes in chunks, takes at most `bytes_a_turn`.
 class DeskLink {
  public:
   base::Result<std::size_t> read(std::span<std::uint8_t> in) {

@@ -26,8 +26,8 @@ struct Run {
   const char* recording;
   console::Mode mode;
   const char* first;             ///< typed before the recording
-  unsigned harmed = 0;           ///< one byte of each so many lines is another
-  unsigned lost = 0;             ///< each so many lines is not sent
+  unsigned harmed = 0;           ///< n: one byte of every n-th line is damaged; 0: of none
+  unsigned lost = 0;             ///< n: every n-th line is not sent; 0: none
   const char* camera = nullptr;  ///< instead of the recording's
 };
 using console::Mode;

@@ -16,7 +16,7 @@ namespace {
 
 using record::AlertLevel;
 
-/// A robot that stands while a ball rolls at it. Odometry at 50 samples a second, frames at 25.
+/// A stationary robot at which a ball rolls. Odometry at 50 samples a second, frames at 25.
 template <class Profile>
 class RollingBall {
  public:
@@ -26,7 +26,7 @@ class RollingBall {
     pipeline.set_signature({1, {0xd0, 0x20, 0x20}, "red"});
   }
 
-  /// Until so many seconds before it touches the body, 0.1 m from the origin.
+  /// Runs until `before` seconds before it touches the body, 0.1 m from the origin.
   void until(double before, bool odometry = true) {
     while ((away() - 0.1) / speed_ > before) {
       t_ += 0.02;

@@ -374,7 +374,7 @@ TEST(Map, AnObjectBelowTheImageIsNotMissed) {
   EXPECT_TRUE(drive.objects()[0]->refuted());
 }
 
-// Only what is nearer hides: a post that stands behind the place shows that the place is free.
+// Only a nearer thing hides: a post behind the place shows that the place is free.
 TEST(Map, WhatStandsBehindAnObjectDoesNotHideIt) {
   Drive<config::Small> drive;
   for (int i = 0; i <= 20; ++i) drive.step({{1, 1.0, 0.0, 0.06}}, 0.02 * i, 0.02 * (i % 5), 0);

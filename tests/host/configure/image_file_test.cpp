@@ -85,7 +85,7 @@ TEST(ImageFile, HexKnowsBothKindsOfAddress) {
   EXPECT_EQ(read->at(0x1'0000), 0x55);
 }
 
-// Each record in front of the last one: 120,000 insertions in front of what there was took minutes.
+// Each record in front of the last one: 120,000 insertions in front of all others took minutes.
 TEST(ImageFile, AddressesMayFall) {
   constexpr std::uint32_t kRecords = 120'000;
   const std::clock_t start = std::clock();

@@ -26,7 +26,7 @@ if DAMAGE:
 LOG = RECORDINGS / "approach_stop.log"
 FOLDER = tempfile.TemporaryDirectory()
 
-# By file name: what of its bytes is replaced, by what of the same length.
+# By file name: the damage, which replaces some of its bytes by others of the same length.
 DAMAGES = {
     "run.mcap": lambda b: b[:3000] + bytes([b[3000] ^ 1]) + b[3001:],
     "run.ros2.mcap": lambda b: b[:3000] + bytes([b[3000] ^ 1]) + b[3001:],

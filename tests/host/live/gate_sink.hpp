@@ -15,7 +15,7 @@ namespace fencepost::host {
 /// Shared by the test and the sink.
 class Gate {
  public:
-  /// Lets so many more calls through.
+  /// Lets `calls` more through.
   void open(int calls = 1'000'000) {
     const std::lock_guard lock(mutex_);
     allowed_ += calls;

@@ -270,8 +270,8 @@ double share_outside(const LinearRing& a, const LinearRing& b) {
 }
 
 // More views than the store holds: it keeps some, evenly. The hull of `sheaf` stays near that of all views. That of
-// `sheaf_paper` consists of what its widest pairs do a metre outside the object: fewer pairs make it smaller, not
-// wrong.
+// `sheaf_paper` consists of the posts that its widest pairs make a metre outside the object: fewer pairs make it
+// smaller, not wrong.
 template <std::size_t kViews>
 void expect_close_at_the_bound(int views, double largest_gap) {
   const LinearRing footprint = square_footprint();

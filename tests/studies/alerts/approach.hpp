@@ -14,7 +14,7 @@ struct Drive {
   double curvature = 0;  ///< 1/m, positive turns left
 
   [[nodiscard]] host::TimedPose at(double t) const;
-  /// When so many metres are behind it.
+  /// The time at which `metres` are behind it.
   [[nodiscard]] double time_of(double metres) const { return standing + metres / speed; }
 };
 

@@ -165,7 +165,7 @@ TEST(Calibrate, OneBlockIsNotEnough) {
   EXPECT_NE(outcome.refusal.find("at least 2"), std::string::npos) << outcome.refusal;
 }
 
-// Of a blob that the image cuts off what is left has its foot farther up than the nearest point would have it.
+// The image cuts off a part of a blob: the foot of the rest is farther up than the nearest point would have it.
 TEST(ReadDrive, ABlobThatIsCutOffTellsNoRows) {
   DriveOptions options;
   options.seed = 509;

@@ -73,7 +73,7 @@ struct Figures {
   double recklessness = 0;
   double paranoia = 0;
   double position = 0;                                     ///< m
-  std::array<std::vector<double>, kEarly.size()> early{};  ///< m, errors of places known after so many views
+  std::array<std::vector<double>, kEarly.size()> early{};  ///< m, errors of places known after kEarly views
   unsigned objects = 0;
   unsigned missed = 0;
   std::size_t passes = 0;

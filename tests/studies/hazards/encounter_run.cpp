@@ -38,7 +38,7 @@ class Progress {
     pace_ += std::clamp(wanted - pace_, -most, most);
     steps_.push_back(steps_.back() + pace_ * kTruthStep);
   }
-  // The pace that the speed limit allows, by what was said a reaction ago.
+  // The pace that the speed limit allows, by the limit that was in force one reaction time ago.
   double limited() {
     if (!encounter_.slows) return 1;
     const double speed = encounter_.route.speed(steps_.back());

@@ -34,7 +34,7 @@ host::SceneObject random_block(Dice& dice, const host::TimedPose& base, double a
 /// A run with the conditions' listener.
 Judged run_cell(const Encounter& encounter, const Conditions& conditions);
 
-/// Stands for a moment, then drives straight on to what is `ahead` at a random speed.
+/// Is stationary for a moment, then drives straight on to the thing `ahead` at a random speed.
 void drive_towards(Dice& dice, const host::TimedPose& start, double ahead, Encounter& encounter);
 
 /// Of an encounter in which nothing calls for a stop. Measures how many there were.

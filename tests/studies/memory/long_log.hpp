@@ -67,7 +67,7 @@ class LongLog {
   std::uint32_t frame_ = 0;
 };
 
-/// A file of at least so many bytes.
+/// A file of at least `bytes`.
 inline void write_long_log(const std::string& path, std::uint64_t bytes, LongLog log = LongLog()) {
   std::ofstream file(path, std::ios::binary);
   file << LongLog::begin();

@@ -107,7 +107,7 @@ TEST(Memory, DoesNotGrowWithTheLog) {
   }
 }
 
-/// The command with so many bytes of one line, then 10 s of a drive, at its standard input.
+/// The command with one line of `bytes`, then 10 s of a drive, at its standard input.
 Ended run_behind_a_long_line(const Folder& folder, const std::vector<std::string>& words, std::uint64_t bytes,
                              std::uint64_t limit = 0) {
   std::array<int, 2> pipe{};

@@ -1,4 +1,4 @@
-// Drives for simulated hours and prints what came of it. Fails if anything that must never be has been.
+// Drives for simulated hours and prints the figures. Fails if a rule that must always hold was broken.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Drives that end where they begin, with what stands beside them: the world of a run is a row of them.
+// Drives that end where they begin, with the things beside them: the world of a run is a row of them.
 #pragma once
 
 #include <vector>

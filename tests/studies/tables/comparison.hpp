@@ -11,8 +11,8 @@
 
 namespace fencepost::test {
 
-inline constexpr double kPointsAllowed = 2;  ///< R + P may be worse by so much, %
-inline constexpr double kErrorsAllowed = 2;  ///< and by so many standard errors more before a cell fails
+inline constexpr double kPointsAllowed = 2;  ///< %, maximum by which R + P may be worse
+inline constexpr double kErrorsAllowed = 2;  ///< standard errors, by which it may be worse on top before a cell fails
 
 struct ComparedCell {
   ReferenceCell reference;

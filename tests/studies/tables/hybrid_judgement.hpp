@@ -37,7 +37,7 @@ struct CellJudgement {
 const std::vector<std::string>& paper_models();
 
 /// The rival is the model of paper_models() with the least mean R + P over all objects. Pairs objects of one scene that
-/// reached so many views in both runs; one that the hybrid's run missed counts as without area there.
+/// reached `views` in both runs; one that the hybrid's run missed counts as without area there.
 /// errors: throws std::runtime_error for fewer than two scenes with such a pair.
 CellJudgement judge_cell(std::span<const ScenePair> scenes, std::optional<std::uint32_t> views);
 

@@ -32,9 +32,9 @@ inline constexpr double kConvexRecklessness = 5;
 inline constexpr double kConvexParanoia = 8;  ///< %, maximum P of the same
 inline constexpr double kConvexOverlap = 88;  ///< %, minimum IoU of the same
 
-/// Mean excess of a bin may differ so much from what its confidence promises.
+/// Maximum difference of a bin's mean excess from the one that its confidence promises.
 inline constexpr double kConfidenceError = 0.15;
-/// Rank correlation of confidence and excess.
+/// Minimum rank correlation of confidence and excess.
 inline constexpr double kMinSpearman = 0.8;
 
 }  // namespace fencepost::test

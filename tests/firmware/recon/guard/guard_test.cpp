@@ -213,7 +213,7 @@ TEST(Guard, WhatNobodySupportsForLongGoes) {
   for (const Front& front : bench.guard.fronts()) EXPECT_NEAR(front.x, 645, 25);
 }
 
-// The foot of what fills the image was never seen: it is nearer than where feet leave the image, 322 mm.
+// The foot of a blob that fills the image was never seen: it is nearer than where feet leave the image, 322 mm.
 TEST(Guard, AnUnseenFootIsNearerThanTheBorder) {
   Bench bench;
   bench.look({{0.2, -0.05, 0.05}});

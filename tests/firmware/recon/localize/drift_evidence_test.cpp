@@ -34,7 +34,7 @@ TEST(DriftEvidence, BearingsThatOnlyTheFilterExplainsAreDrift) {
   EXPECT_FALSE(evidence.enough(recon::kPaceOfDesks.evidence));
 }
 
-// The other three stand where odometry has them: that one was mixed up.
+// The other three are where odometry has them: that one was mixed up.
 TEST(DriftEvidence, WhatOneLandmarkAloneSaysIsNoDrift) {
   DriftEvidence evidence;
   for (int n = 0; n < 1000; ++n) {

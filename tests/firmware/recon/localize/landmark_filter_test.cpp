@@ -237,7 +237,8 @@ TEST(LandmarkFilter, AgreesWithADenseFilterInDouble) {
   }
 }
 
-// Left and right end of equal variance, or half their sum and half their difference of half of it: the same news.
+// The left and right end of equal variance carry the same information as half their sum and half their difference, of
+// half that variance.
 TEST(LandmarkFilter, LearnsTheSameFromHalfTheSumAndHalfTheDifference) {
   Loop<4> ends;
   Loop<4> halves;
@@ -323,7 +324,7 @@ TEST(LandmarkFilter, StaysPositiveAfterTenThousandUpdates) {
   EXPECT_LT(loop.position_error(loop.filter.at().pose), 0.05);
 }
 
-// The pose error of a loop goes, and with it that of what was not seen for long.
+// Closing a loop removes the pose error, and with it the error of landmarks that were not seen for long.
 TEST(LandmarkFilter, ClosesTheLoop) {
   Loop<4> loop;
   loop.drift = 0.05;

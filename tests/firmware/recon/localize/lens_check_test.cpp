@@ -129,7 +129,7 @@ TEST(LensCheck, ARobotThatDrivesStraightLearnsNothing) {
   EXPECT_FALSE(robot.check().wrong());
 }
 
-// A thing that circles around the robot while that turns; then it stands with all others.
+// A thing circles around the robot while the robot turns; then it is stationary with all others.
 TEST(LensCheck, WhatMovesDoesNotFoolItForEver) {
   Turner robot(1);
   double at = 0.2;

@@ -32,7 +32,7 @@ struct Outline {
   std::array<PackedCluster, kClustersPerSector * kNodes> clusters{};
 };
 
-/// Tangents all around, one in so many sectors, but for those from `from` to `to`.
+/// Tangents all around, one in `each` sectors, but for those from `from` to `to`.
 std::vector<std::size_t> all_but(std::size_t nodes, std::size_t each, std::size_t from, std::size_t to) {
   std::vector<std::size_t> sectors;
   for (std::size_t k = 0; k < nodes; k += each) {

@@ -70,7 +70,7 @@ TEST(Correspondence, OfABlobAndAnObject) {
                "overlaps 34831 128d819e", "behind 4697 7b5630e8", "elsewhere 7838 e99dbadb", "off 7190 0b98de4f"});
 }
 
-// Most of what is possible lies within the tolerances, and costs little.
+// Most of the possible blobs lie within the tolerances, and cost little.
 TEST(Correspondence, OfABlobThatIsAlmostTheObject) {
   Draw draw(2);
   Sweep sweep;

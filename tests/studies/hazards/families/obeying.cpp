@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStanding = 20;  // s
 constexpr double kNear = 0.3;     // m
-constexpr double kLowest = 0.03;  // m: what is this low leaves the image before the robot stands
+constexpr double kLowest = 0.03;  // m: a thing this low leaves the image before the robot stands
 
 struct Before {
   double wall = 0;  ///< m, its length; 0: a block

@@ -275,7 +275,7 @@ TEST(HybridProperties, AParkedRobotAddsNothing) {
   const host::Point last = circle({0, 0}, 0.9, 10).back();
   std::mt19937 random(5);
   std::normal_distribution<double> jitter(0, 0.001);
-  for (int i = 0; i < 100; ++i) {  // a millimetre is no news at 0.9 m
+  for (int i = 0; i < 100; ++i) {  // a millimetre is no new information at 0.9 m
     filter.see(view_of(footprint, {last.x + jitter(random), last.y + jitter(random)}).sighting);
   }
   expect_same(filter.hybrid, before);
