@@ -44,9 +44,9 @@ struct Finding {
   double found = 0;  ///< where held, the configured value
   double sigma = 0;  ///< standard deviation
   int decimals = 2;
-  bool observed = false;    ///< the log tells it, by more than what was known before
+  bool observed = false;    ///< the log determines it better than the prior did
   bool held = false;        ///< keeps the configured value
-  bool essential = false;   ///< a log that cannot tell it is not enough
+  bool essential = false;   ///< without it the calibration is not complete
   std::string_view motion;  ///< the drive that would determine it
 };
 

@@ -1,5 +1,5 @@
-// The robot's tracking worked with a wrong calibration: objects that are one are joined, what stands nowhere is left
-// out.
+// The robot tracked objects with a wrong calibration. Here objects that are one are joined, and those without a place
+// are left out.
 #pragma once
 
 #include "host/calibrate/start.hpp"

@@ -31,7 +31,7 @@ struct StartedProblem {
 struct StartOptions {
   std::size_t most_frames = 1500;
   double most_nodes = 1200;
-  std::size_t least_views = 8;  ///< of an object; fewer tell nothing that it does not use up itself
+  std::size_t least_views = 8;  ///< minimum of an object; fewer views determine little beyond the object itself
   bool spare = false;           ///< boxes that no object took are kept, too
 };
 

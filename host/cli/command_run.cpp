@@ -137,7 +137,7 @@ OutputSpecs output_specs_of(const RunRequest& request) {
   return specs;
 }
 
-/// Before devices are opened: they have threads, and a robot whose camera is missing must stand.
+/// Before devices are opened: they have threads, and a robot without its camera must stay stationary.
 void add_stop_line(Outputs& outputs, const StopLineSpec& spec) {
   auto line = linux::open_gpio_line({spec.chip, spec.line, spec.active_high});
   if (!line) throw Failure(Exit::kDevice, line.problem());

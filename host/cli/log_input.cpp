@@ -45,7 +45,7 @@ LogInput::~LogInput() {
 
 std::string_view LogInput::read() {
   std::size_t size = 0;
-  // At the beginning two bytes at least: they tell what it is.
+  // At the beginning at least two bytes: they show whether it is gzip or UTF-16.
   while (size == 0 || (!begun_ && size < 2)) {
     const ssize_t got = ::read(file_, chunk_.data() + size, chunk_.size() - size);
     if (got < 0 && errno == EINTR) continue;

@@ -27,7 +27,7 @@ std::string dashed(std::string name) {
   return name;
 }
 
-/// "Options:": what stands above indented lines.
+/// "Options:": a heading above indented lines.
 bool is_heading(const std::string& line) {
   return !line.empty() && std::isupper(static_cast<unsigned char>(line[0])) != 0 && line.back() == ':';
 }

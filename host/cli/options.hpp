@@ -20,7 +20,7 @@ class Option {
 
   /// How help calls its value, such as "FILE". "N", "S" and others like them are numbers: nan and inf are refused.
   Option& takes(const char* value);
-  /// Replaces in help all that stands behind the option's name.
+  /// Replaces in help the text behind the option's name.
   Option& shown_as(const char* text);
   Option& required();
 
@@ -33,7 +33,7 @@ class Option {
   /// Of a list: the number of words that follow the option; -1 as `most` is any number.
   Option& count(int least, int most);
   Option& count(int number) { return count(number, number); }
-  /// Of a list: words may also stand in one, between these.
+  /// Of a list: one argument may also hold several words, separated so.
   Option& separated_by(char separator);
   /// Of a list: one word follows each mention of the option, which help shows as that of a list or as a single one.
   Option& one_word();

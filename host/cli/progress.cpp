@@ -23,7 +23,7 @@ constexpr Seconds kBetween{0.1};
 constexpr Seconds kQuietLines{10};
 constexpr Seconds kBetweenLines{60};
 constexpr std::size_t kWidth = 79;
-constexpr double kMinShare = 0.01;  ///< less tells nothing about the rest
+constexpr double kMinShare = 0.01;  ///< a smaller share is no basis for the remaining time
 constexpr std::string_view kErase = "\r\x1b[K";
 
 std::atomic<Progress*> latest = nullptr;

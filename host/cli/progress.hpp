@@ -21,8 +21,8 @@ enum class OffTerminal : unsigned char {
 };
 
 /// Rewrites one line of standard error, where that is a terminal that can, and takes it away at its end. Nothing in the
-/// first second, then ten times a second at most. Several threads may tell it. Lines of `say` go above it. One at a
-/// time is shown: the latest.
+/// first second, then ten times a second at most. Several threads may report to it. Lines of `say` go above it. One at
+/// a time is shown: the latest.
 class Progress {
  public:
   using Clock = std::function<std::chrono::duration<double>()>;

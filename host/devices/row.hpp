@@ -128,7 +128,7 @@ struct UsbIds {
 
 /// With what a device on a link was tried, beside the tests of its decoder. What is named exists: a test looks for it.
 struct Tried {
-  PlaceKind link = PlaceKind::kTty;  ///< kTty stands for kTcp too
+  PlaceKind link = PlaceKind::kTty;  ///< kTty includes kTcp
   /// Where `emulate` does not reach: a test ("Suite.Name", or a hostile hour's "KIND:LINK") with an emulator there.
   std::string bench = {};
   std::string guest = {};   ///< "Suite.Name" of tests/guest: on a real kernel's bus

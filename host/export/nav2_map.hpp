@@ -15,8 +15,8 @@ struct Nav2Map {
   std::size_t free = 0;
 };
 
-/// Occupied is each cell that an outline touches, and what the guard knows of; free is where the robot's body was;
-/// all else is unknown. `image`: the PGM's name as the YAML file tells it. Nothing: more than kMaxCells.
+/// Occupied: each cell that an outline touches, and the guard's points. Free: the places of the robot's body. All else
+/// is unknown. `image`: the PGM's name for the YAML file. Nothing: more than kMaxCells.
 std::optional<Nav2Map> nav2_map(const Run& run, const std::string& model, double resolution, const std::string& image);
 
 inline constexpr double kMaxCells = 64e6;

@@ -21,7 +21,7 @@ struct ImportedBlob {
   double y1 = 0;
   double x2 = 0;
   double y2 = 0;
-  std::optional<double> cx;  ///< the box's middle where the source does not tell
+  std::optional<double> cx;  ///< the box's middle where the source does not give it
   std::optional<double> cy;
   std::uint32_t pixels = 0;
   std::optional<sensor::Rgb> rgb;
@@ -54,7 +54,7 @@ struct Taken {
   std::vector<TakenCar> car;                                  ///< in place of poses
   std::vector<std::pair<std::string, std::string>> settings;  ///< of the robot, as FPCFG
   std::map<int, std::string> names;                           ///< of signatures
-  std::optional<std::pair<int, int>> image;                   ///< width and height, where the source tells
+  std::optional<std::pair<int, int>> image;                   ///< width and height, where the source gives them
   std::map<std::string, std::uint64_t> skipped;
   std::vector<std::string> notes;
 };

@@ -28,7 +28,7 @@ std::string lower(std::string_view text);
 /// A whole plain number, with nothing behind it.
 std::optional<double> number_in(std::string_view text);
 
-/// The number behind `key` in "x: 12 y: 34" or "x=12,y=34"; the key stands alone, not at the end of a word.
+/// The number behind `key` in "x: 12 y: 34" or "x=12,y=34"; the key is a whole word.
 std::optional<double> value_after(std::string_view line, std::string_view key);
 
 /// For messages: what was read, in print and not too much of it.

@@ -34,7 +34,7 @@ class Device {
 
   /// Its name, for the messages below; before that nothing is reported of it.
   void introduce(DeviceLabel label) { label_ = std::move(label); }
-  /// People read standard error beside the console: the loop then tells the records only.
+  /// People read standard error beside the console: the loop then writes the records only.
   void leave_sentences_to_others() { sentences_ = false; }
   [[nodiscard]] LinkWording wording(sensor::LinkState state) const {
     return label_ && cabled() ? word_link(*label_, state, problem()) : LinkWording{};
@@ -63,7 +63,7 @@ class OdometryDevice : public Device {
   virtual base::Result<sensor::OdometrySample> poll(base::Time now) = 0;
   /// Of a base that drives by itself: the speed that it may have, mm/s, once a turn of the loop; it obeys at once.
   virtual void allow_motion(std::int16_t /*most*/, base::Time /*now*/) {}
-  /// The run is over: a base that drives stands.
+  /// The run is over: a base that drives stops.
   virtual void stand(base::Time /*now*/) {}
 };
 static_assert(sensor::OdometrySource<OdometryDevice>);

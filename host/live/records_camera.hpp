@@ -63,7 +63,7 @@ class FramesSession {
     return any_byte_ && now_ - *any_byte_ < kQuiet ? sensor::LinkState::kUnready : sensor::LinkState::kSilent;
   }
 
-  /// Its program sends the largest 16 and tells no more.
+  /// Its program sends the largest 16 and no count of the others.
   [[nodiscard]] static std::uint32_t dropped() { return 0; }
 
   // The sink of the decoder.

@@ -1,4 +1,4 @@
-// The key "can" of a robot file: where in which CAN frames the wheels' numbers stand.
+// The key "can" of a robot file: the CAN frames and their bits that hold the wheels' numbers.
 #pragma once
 
 #include "drivers/can_wheels/wheels.hpp"

@@ -1,4 +1,4 @@
-// Writing beside the loop: a disk that is slow, or stands still, costs the robot none of its time.
+// Writes beside the loop: a disk that is slow or stuck costs the robot none of its time.
 #pragma once
 
 #include <chrono>

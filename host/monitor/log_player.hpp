@@ -1,4 +1,4 @@
-// The log that a run writes, line by line at the times that its records tell.
+// Plays a run's log line by line at the times of its records.
 #pragma once
 
 #include <optional>

@@ -11,7 +11,7 @@
 namespace fencepost::host::monitor {
 namespace {
 
-constexpr std::size_t kWide = 72;        ///< columns from which the objects stand beside the map
+constexpr std::size_t kWide = 72;        ///< from this many columns on the objects are beside the map
 constexpr std::size_t kPanel = 28;       ///< columns of theirs
 constexpr std::size_t kRoomForAll = 12;  ///< rows from which all parts are shown
 

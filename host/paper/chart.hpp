@@ -1,4 +1,4 @@
-// Line and point charts as SVG that needs no stylesheet: the same element stands in the page and in a file of its own.
+// Line and point charts as SVG that needs no stylesheet: the same element is in the page and in a file of its own.
 #pragma once
 
 #include <string>

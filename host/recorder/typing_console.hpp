@@ -10,8 +10,8 @@
 
 namespace fencepost::host {
 
-/// Standard input and output, both terminals that can erase a line. The line being typed stands below all others;
-/// Backspace and Ctrl-U work, and with Enter it goes to the loop. `quit` and `exit` end the program as SIGTERM does.
+/// Standard input and output, both terminals that can erase a line. The line being typed is below all others; Backspace
+/// and Ctrl-U work, and with Enter it goes to the loop. `quit` and `exit` end the program as SIGTERM does.
 class TypingConsole final : public ConsolePort {
  public:
   explicit TypingConsole(bool colour) : colour_(colour), keyboard_(true) {}
@@ -43,7 +43,7 @@ class TypingConsole final : public ConsolePort {
   std::string commands_;  ///< typed, on their way to the loop
   std::string line_;      ///< of the robot, not whole yet
   std::string waiting_;   ///< on its way to the terminal
-  std::string drawn_;     ///< of the line being typed, as it stands there
+  std::string drawn_;     ///< the line being typed, as it is on the screen
   std::optional<base::Time> urgent_at_;
   int error_ = 0;  ///< of writing, for good
 };

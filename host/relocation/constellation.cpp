@@ -15,7 +15,7 @@ constexpr float kPlaceSigma = 0.02F;
 constexpr float kBend = 0.03F;
 /// m: whatever the sigmas are, nothing matches from farther away.
 constexpr float kWidestGate = 0.75F;
-/// m: objects nearer to each other than this tell no direction.
+/// m: objects nearer to each other than this give no direction.
 constexpr float kNearestPair = 0.25F;
 /// Allowed difference of radii, as a share of the larger one: most are seen from one side.
 constexpr float kRadiusShare = 0.5F;
@@ -67,7 +67,7 @@ struct Matches {
     const Vec2 b = s.place - seen / weight;
     turn += Vec2(a.dot(b), cross(b, a)) / variance_of(k, s);
   }
-  // The rigid motion of least squares; none where the matches tell no direction.
+  // The rigid motion of least squares; none where the matches give no direction.
   bool motion(FrameMotion& out) const {
     const float length = turn.norm();
     if (!(length > 0)) return false;

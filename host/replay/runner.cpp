@@ -253,7 +253,7 @@ class ProfileRunner final : public Runner {
       result.sigma = std::sqrt(0.5 * static_cast<double>(cylinder.covariance.xx + cylinder.covariance.yy));
       result.z_min = static_cast<double>(band.z_min);
       result.z_max = static_cast<double>(band.z_max);
-      // Rows that tell a depth too great see a foot above the floor, or what hides it.
+      // Rows whose trend gives a depth too great belong to a foot above the floor, or to what hides it.
       const bool raised = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
       if (raised && band.bottom_known) result.base = result.z_min;
     }

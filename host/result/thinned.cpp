@@ -10,7 +10,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr double kTurn = 0.02;      // rad
-constexpr double kWidth = 4096;     // of a picture, in what it can tell
+constexpr double kWidth = 4096;     // resolution of a picture
 constexpr double kMinExtent = 0.1;  // m
 
 double turn(double from, double to) { return std::remainder(to - from, 2 * std::numbers::pi); }

@@ -36,7 +36,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - line_start + 1);
 }
 
-/// Where the first number stands that is too large for a double; the library says which one, but not where.
+/// The place of the first number that is too large for a double: the library names the number, not its place.
 std::size_t overflowing_number(const std::string& text) {
   constexpr std::string_view kOfNumbers = "+-.0123456789eE";
   for (std::size_t i = 0; i < text.size(); ++i) {

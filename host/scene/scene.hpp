@@ -35,7 +35,7 @@ struct SceneObject {
   double height_m = 0;
   Polygon
       footprint;  ///< map frame, m; a circle is given as a 256-gon of the circle's area. Of one that moves: at first
-  std::vector<TimedPose> path{};  ///< of a point that is fixed to it, interpolated; empty: it stands
+  std::vector<TimedPose> path{};  ///< of a point that is fixed to it, interpolated; empty: it is stationary
   std::optional<double> from{};   ///< s, it is there from then on
   std::optional<double> until{};  ///< s, and gone from then on
   bool trained = true;            ///< if not, the camera does not report it; it hides what is behind it all the same
@@ -56,7 +56,7 @@ struct WaypointPath {
   double turn_rate = 0.8;  ///< rad/s, turns on the spot
   double turn_radius = 0;  ///< m; not 0: drives round the points in arcs, as a car has to
   int laps = 0;            ///< rounds; not 0: the last point leads to the first, and the path ends there
-  double wait = 0;         ///< s, stands before it goes
+  double wait = 0;         ///< s, stationary before it goes
 };
 struct PosesPath {
   std::vector<TimedPose> poses;  ///< interpolated, headings the short way round

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCorner = 0.5;  // px, from the image's corner to the middle of its first pixel
 
-/// Where a model's numbers stand; -1: it has none.
+/// Indices of a model's numbers; -1: it has none.
 struct Model {
   std::string_view name;
   std::size_t numbers;

@@ -13,7 +13,7 @@ constexpr double kSame = kSameColour * kSameColour;  // squared, as all distance
 constexpr double kGivenReach = 0.3 * 0.3;            // a given colour is a guess at what the light made of it
 constexpr double kFarthest = 0.25 * 0.25;            // from its prototype a pixel still belongs to a signature
 constexpr std::size_t kMaxSignatures = 255;
-constexpr std::size_t kLevels = 4;  // grey levels that no class can tell apart
+constexpr std::size_t kLevels = 4;  // grey levels that no class can distinguish
 constexpr std::size_t kSteps = 256 / kLevels;
 
 /// The same colour in less light, or in slightly more. Saturated colours are one class in any light anyway.

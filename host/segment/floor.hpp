@@ -22,10 +22,10 @@ struct OnFloor {
   double roll = 0;               ///< rad, rms: of the camera's columns against the upright
 };
 
-/// Which way is up follows from the poses: a camera that rides upright has its rows, and its way, parallel to the
-/// floor. Where it neither turned nor left a straight line, from the calibration's pitch. Where up is within 10 degrees
-/// of the world's z, x and y are the world's; else the first pose is the origin. errors: SegmentProblem: rows that lie
-/// in no plane, no way to tell what is up
+/// The poses show which way is up: a camera that rides upright has its rows, and its way, parallel to the floor. Where
+/// it neither turned nor left a straight line, the calibration's pitch does. Where up is within 10 degrees of the
+/// world's z, x and y are the world's; else the first pose is the origin. errors: SegmentProblem: rows that lie in no
+/// plane, or an unknown direction of up
 OnFloor onto_floor(const std::vector<CameraStand>& stands, const sensor::CameraMount& mount,
                    const FloorOptions& options, const std::string& file);
 

@@ -48,7 +48,7 @@ std::string in_quotes(std::string_view text) {
   return shown + (text.size() > kMax ? "...\"" : "\"");
 }
 
-/// Where each column stands in the header.
+/// The index of each column in the header.
 class Header {
  public:
   Header(std::string_view line, const std::string& place, PosesTable& table) {

@@ -54,7 +54,7 @@ std::pair<int, int> span_between(int a1, int a2, int b1, int b2) {
   return gap_between(a1, a2, b1, b2).value_or(std::pair{std::max(a1, b1), std::min(a2, b2)});
 }
 
-/// More than half of the rectangle between the two is of another signature: something stands in front.
+/// More than half of the rectangle between the two is of another signature: an object occludes it.
 bool is_filled(const ImageRegion& a, const ImageRegion& b, const cv::Mat& labels) {
   const auto [left, right] = span_between(a.x1, a.x2, b.x1, b.x2);
   const auto [top, bottom] = span_between(a.y1, a.y2, b.y1, b.y2);

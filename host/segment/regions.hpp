@@ -14,7 +14,7 @@ struct RegionRules {
   /// px. Regions of one signature with a gap of at most this in both directions are one, unless another signature fills
   /// the gap.
   int max_gap = 2;
-  /// px. An end this near to the image's border is put onto it: there a smoothed image does not tell whether the object
+  /// px. An end this near to the image's border is put onto it: there a smoothed image does not show whether the object
   /// goes on outside.
   int border = 2;
 };

@@ -48,7 +48,7 @@ double CarOdometer::told(const Motion& around) {
   constexpr double kMoves = 1e-9;
   constexpr double kTurns = 1e-6;  // rad: less is rounding of the path
   const SceneNoise& noise = scene_.noise;
-  // While it stands, the wheels stay as they are.
+  // While it is stationary, the wheels stay as they are.
   if (std::abs(around.way) > kMoves) {
     const double wheels = std::atan(scene_.odometry.wheelbase * around.turn / around.way);
     if (std::abs(wheels - wheels_) > kTurns) side_ = wheels > wheels_ ? 1 : -1;

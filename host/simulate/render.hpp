@@ -12,8 +12,8 @@
 
 namespace fencepost::host {
 
-/// One image of object indices, -1 where nothing is. Reused from frame to frame. Pixels are only drawn of objects that
-/// others are in front of or behind, or nearly so; of the rest the silhouette tells all.
+/// One image of object indices, -1 where nothing is. Reused from frame to frame. Pixels are drawn only of objects that
+/// are in front of others or behind them, or nearly so; of the rest the silhouette has everything.
 class LabelImage {
  public:
   static constexpr std::int16_t kNothing = -1;

@@ -28,7 +28,7 @@ class Silhouette {
   /// Cost: about 10 ns an edge of the footprint and 20 ns a column, whatever the rows.
   void find(const Prism& prism, const PixelRays& rays);
 
-  /// It is one connected piece, and no ray meets the solid twice: `box` and `columns` tell all.
+  /// It is one connected piece, and no ray meets the solid twice: `box` and `columns` are complete.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] const PixelBox& box() const { return box_; }
   /// Of the box, from its first column to its last; only if `whole`.

@@ -15,7 +15,7 @@ TimedPose pose_between(std::span<const TimedPose> knots, double t);
 /// The same poses, no heading farther than half a turn from the one before.
 std::vector<TimedPose> continuous(std::vector<TimedPose> poses);
 
-/// world_T_robot over time, t in seconds from 0. Before its start and after its end the robot stands still.
+/// world_T_robot over time, t in seconds from 0. Before its start and after its end the robot is stationary.
 class Trajectory {
  public:
   /// `scene.path` must not be empty.
@@ -24,7 +24,7 @@ class Trajectory {
   Trajectory(const Scene& scene, std::function<TimedPose(double t)> driver, double duration);
 
   [[nodiscard]] TimedPose at(double t) const;
-  /// Seconds until the robot stands.
+  /// Seconds until the robot stops.
   [[nodiscard]] double duration() const { return duration_; }
   /// Camera frames: `views` of an arc, else one each 1/rate seconds from 0 up to and including the duration.
   [[nodiscard]] int frames() const { return frames_; }

@@ -37,8 +37,8 @@ struct Par {
   double map_rms = 0;       ///< m
   double map_worst = 0;     ///< m
   double path_rms = 0;      ///< m, of the path by itself after its own alignment
-  double end_off = 0;       ///< m, the last pose as it stands, from the same start
-  double heading_mean = 0;  ///< rad, mean of the magnitudes as they stand
+  double end_off = 0;       ///< m, the last pose without alignment, from the same start
+  double heading_mean = 0;  ///< rad, mean of the magnitudes without alignment
 };
 
 }  // namespace fencepost::host

@@ -15,7 +15,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr int kRounds = 6;
-constexpr std::size_t kMinViews = 4;  ///< two bearings place an object, more tell whether it is one
+constexpr std::size_t kMinViews = 4;  ///< two bearings place an object, more show whether it is one
 
 SolverOptions all_held() {
   SolverOptions options;

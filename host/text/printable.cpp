@@ -26,8 +26,8 @@ char PrintableBytes::next(char c) {
   return begin(byte);
 }
 
-// Explicit formatting characters of the bidirectional algorithm (Unicode Standard Annex 9): they would show "exe.log"
-// where "gol.exe" stands.
+// Explicit formatting characters of the bidirectional algorithm (Unicode Standard Annex 9): with them "gol.exe" would
+// be shown as "exe.log".
 char PrintableBytes::ended(char c) {
   const auto within = [this](std::uint32_t low, std::uint32_t high) { return character_ >= low && character_ <= high; };
   const bool turns = within(0xE2'80'8E, 0xE2'80'8F) || within(0xE2'80'AA, 0xE2'80'AE) ||

@@ -1,4 +1,4 @@
-// Stands for jpeg.cpp where the build had no libjpeg-turbo.
+// Replaces jpeg.cpp where the build had no libjpeg-turbo.
 #include "host/video/jpeg.hpp"
 
 namespace fencepost::host {

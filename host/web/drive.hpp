@@ -48,7 +48,7 @@ class Drive {
   [[nodiscard]] const std::string& log() const { return live_.text(); }
   /// The truth behind it, as JSON: its true pose, its speed, how often it bumped into something.
   [[nodiscard]] std::string truth() const;
-  /// `map_score` of now, as JSON. Cost: some ms where much stands around.
+  /// `map_score` of now, as JSON. Cost: some ms where many things are around.
   [[nodiscard]] std::string score() const;
 
  private:

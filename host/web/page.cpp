@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kPlace = "<!-- given -->";
 constexpr std::string_view kNoNetwork = "connect-src 'none'";
 constexpr std::string_view kOwnServer = "connect-src 'self'";
-constexpr std::size_t kHead = 1024;  ///< where the page's policy stands
+constexpr std::size_t kHead = 1024;  ///< the page's policy is within this many bytes of its begin
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -30,7 +30,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// No markup can begin in it: the element that it stands in ends where the page says.
+// No markup can begin in it, so the element around it ends where the page says.
 std::string without_markup(const std::string& json) {
   std::string text;
   for (const char c : json) {

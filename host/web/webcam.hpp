@@ -1,4 +1,4 @@
-// This machine's camera as a blob camera, on a robot that stands: pictures to boxes, the robot's loop, and the log of
+// This machine's camera as a blob camera, on a stationary robot: pictures to boxes, the robot's loop, and the log of
 // both.
 #pragma once
 

@@ -18,7 +18,7 @@ struct ColourQuality {
   double seen = 0;           ///< share of all frames
   double blobs = 0;          ///< in the frames that have any
   double flicker = 0;        ///< times that it was gone for up to kFlicker frames and came back, of 100 frames with it
-  double jitter_px = 0;      ///< sigma of its width from frame to frame, motion taken out; 0: too few to tell
+  double jitter_px = 0;      ///< sigma of its width from frame to frame without motion; 0: too few frames
   double jitter = 0;         ///< the same as a share of its median width
 };
 

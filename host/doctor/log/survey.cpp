@@ -19,7 +19,7 @@ constexpr std::size_t kMax = 1024;  ///< of calibrations, settings and links: a 
 
 double shortest_turn(double turn) { return std::remainder(turn, 2 * std::numbers::pi); }
 
-/// A car tells counts; the robot's own loop makes poses of them.
+/// A car reports counts; the robot's own loop makes poses of them.
 double length_of(const std::vector<PoseResult>& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i)

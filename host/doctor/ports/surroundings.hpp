@@ -1,4 +1,4 @@
-// Where a Linux machine tells of its ports, and as whom this program runs. Tests have their own of both.
+// Paths where a Linux machine describes its ports, and the user of this program. Tests have their own of both.
 #pragma once
 
 #include <sys/types.h>

@@ -26,13 +26,13 @@ class CreateDevice {
   void roll(int left, int right);
   /// The robot has moved, in mm and degrees (Create 1), fractions kept until read.
   void move(double mm, double degrees);
-  /// The speeds that a program of its own requests, which packets 39 to 42 tell; whoever drives it overrides them.
+  /// The speeds that a program of its own requests, as packets 39 to 42 report; whoever drives it overrides them.
   void request(int left, int right) {
     if (!driven_) speeds_ = {left, right};
   }
   /// Drives for that time at the commanded speeds; does nothing before the first drive command.
   void drive_on(double seconds);
-  /// A wheel drops or a cliff is seen: out of mode safe the robot falls back to passive, and stands.
+  /// A wheel drops or a cliff is seen: out of mode safe the robot falls back to passive, and stops.
   void lift();
   /// Commanded speeds of its wheels, mm/s.
   struct Speeds {

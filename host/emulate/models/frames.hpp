@@ -14,7 +14,7 @@ class FramePrinter final : public DeviceModel {
  public:
   static constexpr base::Duration kStart = base::milliseconds(2'000);
 
-  /// `areas`: it tells how many pixels a blob has, and where their mean lies; else the box's middle.
+  /// `areas`: it reports a blob's number of pixels and their mean place; else the box's middle.
   explicit FramePrinter(bool areas) : areas_(areas) {}
 
   Bytes power_up(base::Time now) override;

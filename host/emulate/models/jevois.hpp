@@ -19,7 +19,7 @@ class JeVois final : public DeviceModel {
  public:
   static constexpr base::Duration kBoot = base::milliseconds(3'000);
 
-  /// The size of the pictures, which no message tells.
+  /// The size of the pictures, which no message contains.
   explicit JeVois(int width = 320, int height = 240, base::Time power_on = {})
       : width_(width), height_(height), power_on_(power_on) {}
 

@@ -12,7 +12,7 @@ constexpr std::size_t kPixyHeader = 12;
 constexpr std::uint8_t kRun = 5;
 constexpr std::uint8_t kJunk = 0x5A;
 
-/// Header and arguments: a value stands at a multiple of its size, the byte before it is its type, too.
+/// Header and arguments: a value is at a multiple of its size, with its type in the byte before it.
 class Message {
  public:
   explicit Message(std::uint8_t type, std::uint16_t procedure = 0) {

@@ -8,7 +8,7 @@
 
 namespace fencepost::emulate {
 
-/// A blob as the XBC's tracking functions tell it.
+/// A blob as the XBC's tracking functions report it.
 struct XbcBlob {
   int channel = 0;
   int index = 0;

@@ -12,10 +12,10 @@ namespace fencepost::emulate {
 /// middle heading. Distances and headings are sums from the first pose on, so rounding errors do not accumulate.
 class TravelLog {
  public:
-  /// Poses in order of time; headings wrapped or not. Without any, the robot stands.
+  /// Poses in order of time; headings wrapped or not. Without any, the robot is stationary.
   explicit TravelLog(std::span<const sensor::OdometrySample> poses);
 
-  /// Interpolated; before the first pose and after the last the robot stands.
+  /// Interpolated; before the first pose and after the last the robot is stationary.
   [[nodiscard]] Travel at(base::Time t) const;
 
   /// Distance driven sideways, m, which no wheel can measure; beyond what rounding to 0.1 mm explains.

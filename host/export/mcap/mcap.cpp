@@ -15,7 +15,7 @@ namespace fencepost::host::exports {
 namespace {
 
 constexpr double kNanoseconds = 1e9;
-constexpr double kFollows = 0.5;  ///< s; poses farther apart tell no speed
+constexpr double kFollows = 0.5;  ///< s; poses farther apart give no speed
 
 /// A message that is made when it is written: made, a long run's would fill memory.
 struct Waiting {

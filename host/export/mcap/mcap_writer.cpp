@@ -198,7 +198,7 @@ std::string McapWriter::statistics() const {
                                  .bytes());
 }
 
-/// Everything again that tells where something is, by kind, and where each kind begins.
+/// The records that say where data is, again, by kind, and where each kind begins.
 std::string McapWriter::summary(std::uint64_t start) {
   const std::array<std::pair<Opcode, std::string>, 6> groups = {{{kSchema, schemas_},
                                                                  {kChannel, channels_},

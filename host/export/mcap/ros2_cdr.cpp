@@ -147,7 +147,7 @@ class Ros2Cdr final : public Encoding {
     switch (topic) {
       case Topic::kTransforms: return of("/tf", "tf2_msgs/msg/TFMessage");
       case Topic::kStaticTransforms: return of("/tf_static", "tf2_msgs/msg/TFMessage", kLatched);
-      case Topic::kPose: return std::nullopt;  // the odometry tells it
+      case Topic::kPose: return std::nullopt;  // the odometry has it
       case Topic::kOdometry: return of("/odom", "nav_msgs/msg/Odometry");
       case Topic::kDetections: return of("/detections", "vision_msgs/msg/Detection2DArray");
       case Topic::kObjects: return of("/objects", "visualization_msgs/msg/MarkerArray");

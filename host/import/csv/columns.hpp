@@ -35,7 +35,7 @@ class CsvReader {
   /// errors: ImportProblem: nothing in it, or a name twice
   CsvReader(std::string_view text, std::string file);
 
-  /// Where one of these names stands, in any case of letters. errors: ImportProblem: two of them are there
+  /// The column with one of these names, in any case of letters. errors: ImportProblem: two of them are there
   [[nodiscard]] std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
   /// errors: ImportProblem, which names the first of them, or as `find`
   [[nodiscard]] std::size_t need(std::initializer_list<std::string_view> names) const;

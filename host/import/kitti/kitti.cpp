@@ -49,7 +49,7 @@ struct Placed {
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Where a parked car stands, by the half of its labels with the least range; nothing of one that moves.
+/// The place of a parked car, by the half of its labels with the least range; nothing of one that moves.
 struct ParkedCar {
   Point centre;
   double heading = 0;

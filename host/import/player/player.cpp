@@ -38,7 +38,7 @@ class PlayerLog {
   }
 
   Taken finish() {
-    // Most drivers leave the id at 0 and tell colours apart by colour.
+    // Most drivers leave the id at 0 and distinguish colours by the colour itself.
     std::set<int> ids;
     for (const auto& frame : taken_.frames) {
       for (const ImportedBlob& blob : frame.blobs) ids.insert(blob.signature);

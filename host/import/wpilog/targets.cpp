@@ -31,7 +31,7 @@ class BoxOfCorners {
     if (!box_) box_ = corner;
     *box_ = {std::min(box_->x1, x), std::min(box_->y1, y), std::max(box_->x2, x), std::max(box_->y2, y)};
   }
-  /// Corners that are all one point stand for "not known".
+  /// Corners that are all one point mean "not known".
   [[nodiscard]] std::optional<Target::Box> box(Corners meaning) const {
     if (!box_ || (box_->x1 == box_->x2 && box_->y1 == box_->y2)) return std::nullopt;
     const double beyond = meaning == Corners::kEdges ? 1 : 0;

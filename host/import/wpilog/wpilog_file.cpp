@@ -9,7 +9,7 @@ namespace fencepost::host {
 namespace {
 
 constexpr std::string_view kWpilogMagic = "WPILOG";
-/// Of the version 0x0100 the major part, which tells the layout.
+/// The major part of the version 0x0100, which determines the layout.
 constexpr unsigned kMajor = 1;
 /// Names in one log. Robots have some thousand; more than this is damage, and would take memory.
 constexpr std::size_t kMaxEntries = 1U << 16U;

@@ -60,9 +60,9 @@ export class Labels {
     this.#memory = memory;
   }
 
-  /** Nothing may stand there. */
+  /** Keeps labels out of the box. */
   block(box) { this.#taken.push(box); }
-  /** Nothing should. */
+  /** Labels avoid it if they can. */
   mark(box) { this.#marks.push(box); }
 
   #free(box, marks) {

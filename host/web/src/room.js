@@ -50,7 +50,7 @@ export function middleOf({ circle, coordinates }) {
   return [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length);
 }
 
-/** `object`, turned where it stands, rad to the left. */
+/** `object`, turned on its place, rad to the left. */
 export function turnedBy(object, angle) {
   const { footprint } = object;
   if (footprint.circle) return object;

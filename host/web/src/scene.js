@@ -67,7 +67,7 @@ export function poseAt(path, t) {
   return pose;
 }
 
-/** How far the way of the robot bends now, 1/m; null where it stands or turns on the spot. */
+/** Curvature of the robot's way now, 1/m; null where it is stationary or turns on the spot. */
 export function curvatureAt(path, t) {
   const now = poseAt(path, t);
   const before = poseAt(path, t - 0.2);

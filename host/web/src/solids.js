@@ -70,7 +70,7 @@ export function inFront(a, b, eye) {
   }
   const side = beyondEdge(a, b, eye) || -beyondEdge(b, a, eye);
   if (side) return side;
-  // They stand in each other: the upper one, then the one that is glass, is the later.
+  // They overlap on the floor: the upper one, then the one that is glass, is the later.
   if (b.low >= a.high) return 1;
   if (a.low >= b.high) return -1;
   if (Boolean(a.glass) !== Boolean(b.glass)) return b.glass ? 1 : -1;
