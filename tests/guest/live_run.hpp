@@ -44,7 +44,7 @@ class LiveRun : public testing::Test {
     EXPECT_TRUE(logs("$FPODO,", count(before, "$FPODO,") + 5)) << when << ": no odometry\n" << run->err();
     EXPECT_TRUE(logs("$FPFRM,", count(before, "$FPFRM,") + 3)) << when << ": no frames\n" << run->err();
   }
-  /// Of the last odometry in the log, m.
+  /// The x of the last odometry in the log, m.
   [[nodiscard]] double x() const {
     const std::string text = log();
     const std::size_t line = text.rfind("$FPODO,", text.rfind('\n'));

@@ -27,7 +27,7 @@ namespace fencepost::stage {
 namespace {
 
 constexpr std::size_t kMaxWatched = 256;
-/// Where connections are, out of the way of a program that counts its descriptors.
+/// First descriptor of the connections, out of the way of a program that counts its own.
 constexpr int kFirstDescriptor = 512;
 
 Board* board = nullptr;  // null: not on a stage

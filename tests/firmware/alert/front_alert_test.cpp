@@ -15,7 +15,7 @@ using alert::FrontAhead;
 using recon::guard::Front;
 using record::AlertLevel;
 
-/// Of points in mm ahead of a robot at the origin.
+/// Alerts about points in mm ahead of a robot at the origin.
 class Fronts : public testing::Test {
  protected:
   void put(int x, int y, unsigned frames = 0xFF, unsigned signature = 1) {

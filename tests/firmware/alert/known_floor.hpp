@@ -39,7 +39,7 @@ inline recon::guard::SeenFloor floor_seen_around(const recon::MapPose& robot) {
   return floor_seen(robot, {0, 40, 80, 120, 160, 200, 240, 280, 320});
 }
 
-/// That many frames have seen.
+/// A point that many frames have seen.
 inline recon::guard::Front front_at(double x, double y) {
   recon::guard::Front front;
   front.x = static_cast<std::int16_t>(std::lround(1000 * x));

@@ -343,7 +343,7 @@ TEST(SettingsStore, TheNewerPageCountsAcrossTheNumbersEnd) {
   }
 }
 
-// Whatever number the one page has that there is.
+// A single page counts, whatever its number is.
 TEST(SettingsStore, APageAloneCounts) {
   for (const unsigned number : {1U, 0x7FFFU, 0x8001U, 0xFFF0U, 0U}) {
     for (const std::size_t page : {0U, 1U}) {

@@ -192,7 +192,7 @@ TEST(DriveGuideConsole, CountsInModeLogOnlyAndIsPassedOverByReaders) {
   EXPECT_EQ(begun.find("a log: "), std::string::npos) << begun;
   log.turn(5500);
   const std::string said = log.link.take_said();
-  // By itself, when the feet were seen often enough; no line is a record.
+  // The robot prints this by itself, when the feet were seen often enough; no line is a record.
   const std::size_t news = said.find("\r\nthe calibration drive still needs\r\n");
   ASSERT_NE(news, std::string::npos);
   EXPECT_EQ(said.substr(news, 800).find("feet in the image"), std::string::npos);

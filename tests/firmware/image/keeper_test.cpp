@@ -174,7 +174,7 @@ TEST(Keeper, SaysOnceThatThePartRefuses) {
   EXPECT_TRUE(desk.keeper.keep());
 }
 
-// Of an image that kept more than this one, or of another program.
+// Lines of an image that kept more than this one, or of another program.
 TEST(Keeper, WhatIsNoInputOfAStartIsPassedOver) {
   Flash flash;
   config::SettingsStore store(flash);

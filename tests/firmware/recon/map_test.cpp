@@ -447,7 +447,7 @@ TEST(Map, EveryObjectThatIsSeenHasItsTurnOfTheModels) {
   EXPECT_GT(turns[3], 200 / kBound);
 }
 
-// Where there is a turn for each, no sighting is left out.
+// If there is a turn for each object, no sighting is left out.
 TEST(Map, ModelsTakeAllSightingsWhereThereIsATurnForEach) {
   Drive<host::Compared<config::Full>> drive;
   for (int i = 0; i < 20; ++i)

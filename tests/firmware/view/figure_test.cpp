@@ -25,7 +25,7 @@ struct Painted {
   int left = 1000, right = -1000, top = 1000, bottom = -1000;
 };
 
-/// By colour.
+/// The painted pixels of a shape, by colour.
 std::map<std::uint8_t, Painted> painted_by(const console::MapShape& shape) {
   const view::Figure figure = view::make_figure(shape, 3, kWindow);
   std::map<std::uint8_t, Painted> colours;

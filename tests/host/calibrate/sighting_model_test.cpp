@@ -73,8 +73,8 @@ TEST(SightingModel, ASquaresHarmonicsMakeItsCorners) {
   EXPECT_NEAR(calibration::support(object.data(), std::sqrt(0.5), std::sqrt(0.5)), 0.0707, 0.004);
 }
 
-// Whatever the shape: the residual of an edge that was seen elsewhere is how far elsewhere that was. A shape that makes
-// it less by a factor would be bent by noise (and was: yaws came out half a degree off).
+// Whatever the shape, the residual of an edge is the distance to where it was seen. A shape that makes it smaller by a
+// factor would be bent by noise: yaws would be half a degree off.
 TEST(SightingModel, AShapeDoesNotMakeResidualsSmaller) {
   const Camera camera;
   const CameraValues values = values_of(camera);

@@ -456,7 +456,7 @@ class CommandRunDriving : public CommandRun {
         folder, {"run", "--camera", "pixy2:" + file("camera"), "--odometry", "create2:" + file("wheels") + ",drive=200",
                  "--robot", "robot.json", "--log", "run.log", "--mode", "quiet"});
   }
-  /// Of the odometry in `text`, m.
+  /// The ways of the odometry in `text`, m.
   static std::vector<double> ways(const std::string& text) {
     std::vector<double> all;
     for (std::size_t at = text.find("$FPODO,"); at != std::string::npos; at = text.find("$FPODO,", at + 1))

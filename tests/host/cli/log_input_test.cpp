@@ -22,7 +22,7 @@ std::string read_all(LogInput& input) {
   return text;
 }
 
-/// Of some size, and not all the same.
+/// A text of some size, with lines that differ.
 std::string numbers() {
   std::string text;
   for (int i = 0; i < 200'000; ++i) text += std::to_string(i * 7919) + "\n";

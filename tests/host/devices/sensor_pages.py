@@ -29,7 +29,7 @@ LINK_SHOWN = {
     "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
 }
 FIVE_VOLTS = "a USB serial adapter of 5 V, RX and TX crossed; a Raspberry Pi's pins only behind a level shifter"
-# Where what a serial port is differs from an adapter of 3.3 V.
+# Devices whose serial line needs another adapter than one of 3.3 V.
 OWN_LINE = {
     **{name: FIVE_VOLTS for name in ("cmucam1", "cmucam2", "avrcam", "create1", "create2")},
     "cognachrome": "an RS-232 port, or a USB adapter of RS-232",

@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(All, EndToEnd, ::testing::ValuesIn(drives()),
 
 using EndToEndFaults = EndToEnd;
 
-// Of 100 bytes one is lost and one is another; and the camera's plug is out for half a second.
+// One byte in 100 is lost and one is damaged; and the camera's plug is out for half a second.
 TEST_F(EndToEndFaults, ARunSurvivesABadCable) {
   const std::vector<Drive> all = drives();
   const auto pixy2 =

@@ -11,7 +11,7 @@
 namespace fencepost::host {
 namespace {
 
-/// Whose numbers have more digits than are shown.
+/// An evaluation whose numbers have more digits than are shown.
 Evaluation measured(const std::string& log, double third) {
   Evaluation evaluation;
   evaluation.log = log;

@@ -14,7 +14,7 @@ import draw  # noqa: E402
 GUIDE = TOP / "firmware/FIRST_ALERT.md"
 PINS = (TOP / "hal/boards/PINS.md").read_text(encoding="utf-8")
 SYSTEMS = ("Windows", "macOS", "Linux")
-# Of the desk's program and the compiler, which are Linux programs, and say so.
+# Sections about the desk's program and the compiler, which are Linux programs, and say so.
 OTHER_SECTIONS = ("## 10", "## With a compiler")
 
 

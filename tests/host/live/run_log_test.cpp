@@ -37,7 +37,7 @@ RunLog opened(const RunLogSettings& settings) {
   return std::move(*log);
 }
 
-/// Of this process, as the kernel counts them.
+/// The writes of this process, as the kernel counts them.
 int writes_so_far() {
   std::ifstream counts("/proc/self/io");
   for (std::string word; counts >> word;) {

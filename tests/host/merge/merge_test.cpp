@@ -18,7 +18,7 @@ struct Thing {
   std::uint8_t signature = 1;
 };
 
-/// Of a run whose map frame lies at `frame` in that of the things. Objects are squares.
+/// The map of a run whose frame lies at `frame` in that of the things. Objects are squares.
 RunMap run(const std::string& name, const Motion& frame, const std::vector<Thing>& things, std::uint32_t views = 50) {
   RunMap map;
   map.log = name;

@@ -90,7 +90,7 @@ TEST(Carving, AnotherPlaceIsSolidAgain) {
   EXPECT_EQ(reach(carving, {0, 1}), recon::kArenaHalfSide);
 }
 
-// Of more tangents than it has room for the oldest is forgotten, which never cuts too much.
+// If there are more tangents than it has room for, it forgets the oldest, which never cuts too much.
 TEST(Carving, ForgetsTheOldestWaitingTangents) {
   Carving carving;  // room for four
   carving.start(ahead(), kOrigin);

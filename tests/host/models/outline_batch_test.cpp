@@ -107,7 +107,7 @@ TEST(OutlineBatch, BeginsAnew) {
   }
 }
 
-// A fit with few views rejects no outliers, or has a lower order: not for a batch.
+// A fit with few views stays a series of low order: not for a batch.
 TEST(OutlineBatch, TakesWhatBecomesAPolygon) {
   Wide hybrid;
   hybrid.views = kViewsForPolygon;

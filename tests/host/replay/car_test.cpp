@@ -33,7 +33,7 @@ std::string log_of(const host::Scene& scene) {
   return log;
 }
 
-// By its readings alone.
+// The car's last pose, by its readings alone.
 host::PoseResult end_of(const host::Scene& scene) {
   host::ReplayOptions options;
   options.settings = {{"correct.pose", "off"}};

@@ -12,7 +12,7 @@ namespace {
 using record::AlertLevel;
 using record::AlertReport;
 
-/// Where an even drive between the two kept poses around `t` is.
+/// The pose at `t` of an even drive between the two kept poses around it.
 PoseResult at(const std::vector<PoseResult>& path, double t) {
   std::size_t i = 1;
   while (i + 1 < path.size() && path[i].t < t) ++i;

@@ -173,7 +173,7 @@ std::vector<TimedPose> arc() {
   return poses;
 }
 
-/// Of `a` as seen from `b`: it does not depend on the world.
+/// The pose of `a` as seen from `b`: it does not depend on the world.
 TimedPose seen_from(const TimedPose& b, const TimedPose& a) {
   const double c = std::cos(b.heading);
   const double s = std::sin(b.heading);

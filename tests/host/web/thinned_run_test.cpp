@@ -72,7 +72,7 @@ TEST(ThinnedRun, LooksAreWhatALogThatEndsThereHas) {
   const json& look = looks[looks.size() / 2];
   ReplayOptions until;
   until.to = look["time"].get<double>() + 1e-5;
-  // Of the inputs of one time the look may have had the first alone.
+  // If several inputs have one time, the look may have had the first alone.
   const json then = json::parse(to_json(replay(log, "log", until).result));
   ASSERT_EQ(look["result"]["objects"].size(), then["objects"].size());
   for (std::size_t i = 0; i < then["objects"].size(); ++i) {

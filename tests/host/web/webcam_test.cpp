@@ -23,7 +23,7 @@ struct Box {
   int y2 = 0;
 };
 
-/// Of a thing `wide` m across, straight ahead.
+/// The box of a thing `wide` m across, straight ahead.
 Box box_at(double distance, double wide = 0.2) {
   const double half = 277.13 * wide / 2 / distance;
   const auto at = [](double px) { return static_cast<int>(std::lround(px)); };

@@ -28,7 +28,7 @@ fencepost::Pose wheels() {
 
 void motors(bool run) { moved_to += run ? kAStep : 0; }
 
-// By the pinhole: so far to the right of the axis or below it, over the depth.
+// By the pinhole: the distance to the right of the axis or below it, over the depth.
 fencepost::Box camera_sees(const fencepost::Camera& of) {
   const float depth = kFront - 0.5F * (seen_from[0] + seen_from[1]);
   const float foot = of.cy + of.fy * of.z / depth;

@@ -24,7 +24,7 @@ constexpr double kSamePlace = 0.15;
 // Well within range: the first estimate may be off by a tenth.
 constexpr double kWellWithin = 0.9;
 
-/// Who follows whom.
+/// Watches which object of the map follows which block.
 class Watch final : public host::RunObserver {
  public:
   explicit Watch(const host::Scene& scene) : truths_(scene) {}

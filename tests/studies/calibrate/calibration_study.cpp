@@ -20,7 +20,7 @@ struct Request {
   bool verbose = false;
 };
 
-/// Of one number over all logs.
+/// The sums of one number over all logs.
 struct Column {
   double sum = 0;
   double square = 0;

@@ -10,8 +10,8 @@
 
 namespace fencepost::test {
 
-/// Of one object's blob in one view. Lost: 10..50 % of the width, 30 % of the losses split the blob and the larger
-/// part stays. Grown: by 10..60 % of the width.
+/// The noise of one object's blob in one view. Lost: 10..50 % of the width, 30 % of the losses split the blob and the
+/// larger part stays. Grown: by 10..60 % of the width.
 struct BlobNoise {
   double edge_px = 0;  ///< sigma of each edge
   double loss = 0;     ///< probabilities

@@ -16,7 +16,7 @@ constexpr double kErrors = 3;
 
 double share(unsigned part, unsigned whole) { return whole > 0 ? static_cast<double>(part) / whole : 0; }
 
-// Of the difference of two shares, and of two rates, if both are the same but for chance.
+// The standard error of the difference of two shares, and of two rates, if both are the same but for chance.
 double error_of_shares(const Reached& a, const Reached& b) {
   if (a.asked == 0 || b.asked == 0) return 0;
   const double p = share(a.kept + b.kept, a.asked + b.asked);

@@ -20,7 +20,7 @@ struct Reached {
 
 Reached reached(const Family& family, const Cell& cell, const Outcome& sum);
 
-/// Of a file as `as_line` writes it, with a head; throws with the file's name and the line that it cannot read.
+/// Reads a file of lines by `as_line`, with a head; throws with the file's name and the line that it cannot read.
 std::vector<Reached> read_reached(const std::string& path);
 std::string reached_head();
 std::string as_line(const Reached& reached);

@@ -37,7 +37,7 @@ Judged run_cell(const Encounter& encounter, const Conditions& conditions);
 /// Is stationary for a moment, then drives straight on to the thing `ahead` at a random speed.
 void drive_towards(Dice& dice, const host::TimedPose& start, double ahead, Encounter& encounter);
 
-/// Of an encounter in which nothing calls for a stop. Measures how many there were.
+/// The outcome of an encounter in which nothing calls for a stop. Measures the number of stops.
 Outcome meet_nothing(const Encounter& encounter, const Conditions& conditions);
 
 }  // namespace fencepost::test

@@ -11,7 +11,7 @@ host::Score score_of(const ObjectScores& object, const std::string& model) {
   return found == object.end() ? host::Score{} : found->second;
 }
 
-/// Of the mean over all objects, which are as many as each scene has.
+/// The standard error of the mean over all objects, with scenes as units. Scenes may differ in their number of objects.
 double standard_error(std::span<const SceneScores> scenes, const std::string& model, double mean, double objects) {
   double squares = 0;
   double counted = 0;

@@ -10,7 +10,7 @@
 
 namespace fencepost::test {
 
-/// Of one model, points of per cent.
+/// The means of one model, points of per cent.
 struct PathMean {
   double recklessness = 0;
   double paranoia = 0;

@@ -113,7 +113,7 @@ Encounter beside(Dice& dice, const host::TimedPose& start, double speed) {
 constexpr Scene kScenes[] = {
     {"wall", true, wall}, {"block", true, block}, {"ball", true, ball}, {"beside", false, beside}};
 
-/// Of the runs of a cell.
+/// The figures of a cell's runs.
 struct Figures {
   unsigned runs = 0;
   unsigned contacts = 0;

@@ -29,7 +29,7 @@ std::vector<Lap> laps_of(const Plan& plan) {
   return laps;
 }
 
-/// Where the camera is, as the catalogue tells links from each other.
+/// The camera's place, by which the catalogue distinguishes links.
 std::string place_of(host::PlaceKind link) {
   switch (link) {
     case host::PlaceKind::kI2c: return "/dev/i2c-9";

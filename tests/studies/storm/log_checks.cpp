@@ -17,7 +17,7 @@ using record::AlertLevel;
 
 constexpr std::string_view kOutputs[] = {"$FPALR,", "$FPOBJ,", "$FPDIG,", "$FPPOS,", "$FPALV,", "$FPSPD,"};
 
-/// Of a heartbeat: an input may have been on its way for as long.
+/// Tolerance of a heartbeat's time: an input may have been on its way for as long.
 constexpr base::Duration kSlack = base::milliseconds(50);
 
 bool is_output(std::string_view line) {

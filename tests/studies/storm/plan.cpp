@@ -26,7 +26,7 @@ std::vector<const Row*> candidates(Use use) {
   return rows;
 }
 
-/// Of those that there are models for.
+/// A link of the camera, of those that have a model.
 host::PlaceKind random_link(Chance& chance, const Row& camera) {
   using enum host::PlaceKind;
   std::vector<host::PlaceKind> buses;

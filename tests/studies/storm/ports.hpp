@@ -22,7 +22,7 @@ class Sockets {
   Sockets& operator=(const Sockets&) = delete;
 
   void plug_in(const std::string& place, FarEnd& device) { devices_[place] = &device; }
-  /// Of the thread's latest. Throws host::DeviceFailure where nothing is.
+  /// The device at a place of the thread's latest Sockets. Throws host::DeviceFailure where nothing is.
   static FarEnd& at(const std::string& place);
 
  private:

@@ -32,7 +32,7 @@ constexpr base::Duration kReaction = base::milliseconds(350);
 constexpr base::Duration kCableComesBack = base::milliseconds(30'000);
 constexpr base::Duration kKeptAway = base::milliseconds(100);
 constexpr base::Duration kCatchesUp = base::milliseconds(500);
-/// Of a slow camera that sends nothing where it sees nothing: a Pixy, a JeVois.
+/// Longest pause between images of a slow camera that sends nothing where it sees nothing: a Pixy, a JeVois.
 constexpr base::Duration kImagesWithoutBoxes = base::milliseconds(1'500);
 constexpr base::Duration kLinkReported = base::milliseconds(3'000);  // after unplugging it is reported as absent
 
@@ -123,7 +123,7 @@ void Watch::note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntr
   const auto turned_to = [&](const sensor::OdometrySample& sample) {
     return std::remainder((sample.heading - seen_.same_from->heading).to_double(), kTurn);
   };
-  // Of two samples the smaller: encoders that tell whole degrees make a turn of one.
+  // The smaller turn of two samples counts: encoders that report whole degrees make a turn of one.
   const double now_turned = turned_to(*exposed);
   const double before = turned_to(sample_at(frame.t - kNextSample).value_or(*seen_.same_from));
   const double turned = now_turned * before > 0 ? std::min(std::fabs(now_turned), std::fabs(before)) : 0;

@@ -47,10 +47,10 @@ class Watch {
     std::uint64_t used = 0;
 
     void note(base::Time now);
-    /// It came all the time lately.
+    /// Its inputs came regularly of late.
     [[nodiscard]] bool regular(base::Time now) const;
   };
-  /// Of one run of the robot.
+  /// The observations of one run of the robot.
   struct Seen {
     explicit Seen(base::Time now) : begun(now), looked(now), camera_worked(now), wheels_worked(now) {}
 

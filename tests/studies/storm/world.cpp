@@ -27,7 +27,7 @@ void World::next_lap() {
   frame_ = pose_ = 0;
 }
 
-// Of one time, the pose first: a frame that arrives together with its pose comes after it.
+// Of a pose and a frame of one time the pose goes first: a frame that arrives together with its pose comes after it.
 bool World::dispatch_next(base::Time now) {
   const emulate::Feed& feed = laps_[lap_].feed;
   const bool pose = pose_ < feed.poses.size();

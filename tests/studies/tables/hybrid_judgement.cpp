@@ -56,7 +56,7 @@ std::vector<Pair> pairs_at(std::span<const ScenePair> scenes, std::optional<std:
   return pairs;
 }
 
-/// Of the mean over all objects, which are as many as each scene has.
+/// The standard error of the mean over all objects, with scenes as units. Scenes may differ in their number of objects.
 double error_by_scenes(const std::map<std::size_t, std::vector<double>>& scenes, double mean, std::size_t objects) {
   double squares = 0;
   for (const auto& [scene, values] : scenes) {

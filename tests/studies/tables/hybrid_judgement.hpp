@@ -50,12 +50,12 @@ struct ModelMeans {
 ModelMeans means_of_model(std::span<const host::Evaluation> scenes, const std::string& model,
                           std::optional<std::uint32_t> views);
 
-/// A fit's confidence, and what R + P it has beyond that of the hull of the truth.
+/// A fit's confidence, and its R + P beyond that of the hull of the truth.
 struct Confidence {
   double reported = 0;
   double excess = 0;
 };
-/// Of every cut of every object, kHullLimit beside it.
+/// One for every cut of every object, kHullLimit beside it.
 std::vector<Confidence> confidences(std::span<const host::Evaluation> scenes);
 
 /// Excess by reported confidence, against min(1, 1.05 (1 - c)) at the bin's mean c.

@@ -7,7 +7,7 @@
 
 namespace fencepost::test {
 
-/// Of one noise level, points of per cent.
+/// The targets of one noise level, points of per cent.
 struct HybridTarget {
   std::string_view level;
   std::array<double, 5> sum_true;      ///< R + P at 2, 4, 8, 18 and 75 views, flags given

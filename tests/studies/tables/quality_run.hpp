@@ -9,7 +9,7 @@
 
 namespace fencepost::test {
 
-/// Where the reconstruction learns which ends of a blob are hidden.
+/// The source from which the reconstruction learns which ends of a blob are hidden.
 enum class OcclusionFlags {
   kInferred,  ///< from the log alone, as on the robot: correspondence and flags are the map's own
   kTrue,      ///< from the simulator, and so is whose each blob is

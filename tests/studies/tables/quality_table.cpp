@@ -25,7 +25,7 @@ std::vector<host::Evaluation> run_level(const Request& request, const NoiseLevel
   return request.seeds.each([&](unsigned seed) { return run_scene(seed, level, options); });
 }
 
-/// Of all levels, one entry a kind of flags.
+/// The cells of all levels, one entry a kind of flags.
 std::vector<Compared> run_levels(const Request& request, const std::vector<ReferenceCell>& reference) {
   std::vector<Compared> all;
   for (const std::string& flags : request.flags) all.push_back({flags, {}});

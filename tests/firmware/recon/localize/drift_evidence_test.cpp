@@ -16,7 +16,7 @@ using recon::Vec2;
 constexpr float kSigma = 0.02F;  // m
 constexpr float kBearingVariance = kSigma * kSigma;
 
-/// That the object is `aside` m left of straight ahead.
+/// The equation by which the object is `aside` m left of straight ahead.
 CircleEquation bearing(float aside) { return {{0, 1}, aside, 0, {0, 1}}; }
 Vec2 at(float distance, float aside) { return {distance, aside}; }
 

@@ -14,7 +14,7 @@
 namespace fencepost::test {
 namespace {
 
-// Of any size up to the largest here: the build forbids Eigen the heap.
+// Matrices of any size up to the largest here: the build forbids Eigen the heap.
 using DenseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 64, 64>;
 using DenseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 64, 1>;
 using DenseRow = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 64>;

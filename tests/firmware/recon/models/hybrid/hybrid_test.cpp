@@ -177,7 +177,8 @@ TEST(Hybrid, DistanceIsThatToTheOutline) {
   EXPECT_LT(filter.hybrid.outline().distance_from(-middle, nearest), -0.05F);
 }
 
-// Whatever the processor does side by side: the first of those that are as far off, looked at a quarter turn apart.
+// Whatever the processor does side by side, the first of several sides that are equally far off is found. They are
+// looked at a quarter turn apart.
 template <std::size_t kNodes>
 void expect_first_side(std::mt19937& random) {
   std::array<std::int16_t, kNodes> offsets{};
@@ -325,8 +326,8 @@ Wide approached(recon::End end, bool mistaken) {
 }
 constexpr std::size_t kUp = 16;  // of 64 directions: +y
 
-// Where the object goes on behind something it is no smaller than what is seen of it; another object's end says nothing
-// of this one.
+// An object that goes on behind something is no smaller than its seen part. Another object's end says nothing of this
+// one.
 TEST(HybridProperties, AHiddenEndSaysHowFarItReachesAtLeast) {
   EXPECT_NEAR(support(approached(recon::End::kSeen, false), kUp), 0.04, 0.006);
   EXPECT_GT(support(approached(recon::End::kLowerBound, false), kUp), 0.036);
@@ -431,7 +432,7 @@ void expect_warm_fits_follow_whole_ones(double most_off) {
 TEST(HybridSolver, GoesOnFromTheOutlineThatIsThere) { expect_warm_fits_follow_whole_ones<WideFilter>(0.01); }
 TEST(HybridSolver, GoesOnFromTheOutlineThatIsThereInMicro) { expect_warm_fits_follow_whole_ones<NarrowFilter>(0.02); }
 
-// Of few views the outline is another one: there is nothing to go on from.
+// While views are few the outline is of another kind: there is nothing to go on from.
 TEST(HybridSolver, BeginsFromNothingWhileViewsAreFew) {
   const host::LinearRing footprint = box(0.20, 0.12);
   const std::vector<host::Point> lenses = circle({0, 0}, 0.9, 30);

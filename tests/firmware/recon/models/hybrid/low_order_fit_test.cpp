@@ -15,7 +15,7 @@
 namespace fencepost::test {
 namespace {
 
-// Of any size up to the largest here: the build forbids Eigen the heap.
+// Matrices of any size up to the largest here: the build forbids Eigen the heap.
 using DenseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 64, 1>;
 using SingleMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, 0, 64, 64>;
 using SingleVector = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, 64, 1>;
