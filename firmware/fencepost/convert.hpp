@@ -24,7 +24,7 @@ constexpr std::int64_t micros_of(base::Time time) { return time.raw * kMicrosPer
 base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const fencepost_camera& camera);
 base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose& pose);
 
-/// Whether the last pixel of each is not before the first.
+/// True if the last pixel of each box is not before the first.
 bool are_boxes(std::span<const fencepost_box> boxes);
 /// The largest first.
 sensor::BlobFrame frame_of(base::Time t, std::uint32_t number, std::span<const fencepost_box> boxes);

@@ -1,5 +1,5 @@
 /* The robot's program as a library, for C and for all that calls C: odometry and boxes in, alerts, objects and outlines
-   out. C++ has fencepost.hpp, which stands on the types of this header. The guide is host/share/doc/embed.md.
+   out. C++ has fencepost.hpp, which uses the types of this header. The guide is host/share/doc/embed.md.
 
    A core is one robot. It has no heap, no threads, no clock and no input or output of its own: each function does its
    work and returns. One thread at a time may call the functions of one core; cores are independent of each other.
@@ -8,7 +8,7 @@
    between the wheels on the floor, x forward, y left. Image: u right, v down, an integer coordinate is a pixel's
    centre. Times are microseconds of one clock, from any zero, not negative.
 
-   Errors: a function that may refuse returns a fencepost_answer, and whatever it refuses changes nothing. */
+   Errors: a function that may refuse its input returns a fencepost_answer; a refused input changes nothing. */
 #ifndef FENCEPOST_H
 #define FENCEPOST_H
 
@@ -62,7 +62,7 @@ typedef enum fencepost_level {
   FENCEPOST_NOTICE,
   FENCEPOST_WARN,
   FENCEPOST_STOP,
-  FENCEPOST_BLIND /* camera or odometry is silent: nobody knows what is ahead */
+  FENCEPOST_BLIND /* camera or odometry is silent: the robot cannot know what is ahead */
 } fencepost_level;
 
 /* The camera and where it is mounted on the robot; its axis is level but for the pitch. Begin with
@@ -80,7 +80,7 @@ typedef struct fencepost_camera {
   float z;            /* m, of the lens above the floor */
   float yaw;          /* rad, left */
   float pitch;        /* rad, down */
-  bool pitch_unknown; /* then the boxes' lower edges tell no distance */
+  bool pitch_unknown; /* then the boxes' lower edges give no distance */
   bool fisheye;       /* equidistant, not a pinhole */
   int32_t latency;    /* us, from the exposure to the time that boxes are given with; at most 10 s */
 } fencepost_camera;
@@ -189,10 +189,10 @@ FENCEPOST_API size_t fencepost_capacity_objects(const fencepost_capacity* capaci
    aligned or too small, or `capacity` is null. */
 FENCEPOST_NODISCARD FENCEPOST_API fencepost_core* fencepost_init(void* memory, size_t bytes,
                                                                  const fencepost_capacity* capacity);
-/* Makes a core on the heap. The only function that uses one: who does not call it links none. Null: no memory, or
-   `capacity` is null. */
+/* Makes a core on the heap. No other function uses a heap, and a program without this call links none. Null: no memory,
+   or `capacity` is null. */
 FENCEPOST_NODISCARD FENCEPOST_API fencepost_core* fencepost_create(const fencepost_capacity* capacity);
-/* Of fencepost_create() only. Null is allowed. */
+/* Destroys a core of fencepost_create() only. Null is allowed. */
 FENCEPOST_API void fencepost_destroy(fencepost_core* core);
 
 /* --- Setting it up -------------------------------------------------------------------------------------------- */
@@ -200,8 +200,8 @@ FENCEPOST_API void fencepost_destroy(fencepost_core* core);
 /* The camera as its maker delivers it: "pixy2", "huskylens", ...; host/share/doc/devices.md. Mounted at the robot's
    origin, looking ahead: where it is has to be filled in. Unknown or null: all zeros. */
 FENCEPOST_API fencepost_camera fencepost_delivered_camera(const char* name);
-/* An ordinary lens with square pixels that sees so many degrees across the width of the image, the axis in its middle.
-   All zeros if `degrees` is not between 1 and 170. */
+/* An ordinary lens with square pixels, the axis in the middle of the image. `degrees`: the field of view across its
+   width. All zeros if that is not between 1 and 170. */
 FENCEPOST_API fencepost_camera fencepost_pinhole(uint16_t width, uint16_t height, float degrees);
 /* A box by its middle and size, px, as most detectors have it: 9 columns around 20 are 16 to 24. The size is rounded,
    and at least 1. A detector that counts from the corner of the image, not from the first pixel's centre, has 0.5 more
@@ -222,11 +222,11 @@ FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set_number(fencepos
 /* The name of a colour in sentences; at most 32 characters, of longer ones the first. errors: no room, null */
 FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set_name(fencepost_core* core, uint8_t signature,
                                                                       const char* name);
-/* Who hears of alerts; a null function: nobody. errors: null (the core) */
+/* Sets the listener of alerts; a null function: none. errors: null (the core) */
 FENCEPOST_API fencepost_answer fencepost_on_alert(fencepost_core* core, fencepost_alert_function function,
                                                   void* context);
-/* Who gets the run's log, which `fencepost replay --check` plays again at the desk to the last bit. The log is whole
-   only if this is set before the first input. errors: null (the core) */
+/* Sets the receiver of the run's log, which `fencepost replay --check` plays again at the desk to the last bit. The log
+   is whole only if this is set before the first input. errors: null (the core) */
 FENCEPOST_API fencepost_answer fencepost_on_log(fencepost_core* core, fencepost_log_function function, void* context);
 
 /* --- Running it ----------------------------------------------------------------------------------------------- */
@@ -248,12 +248,12 @@ FENCEPOST_API fencepost_answer fencepost_restart(fencepost_core* core);
 
 /* The highest alert in force. Blind until camera and odometry have said something, and of a null core. */
 FENCEPOST_API fencepost_level fencepost_level_in_force(const fencepost_core* core);
-/* May the motors run? Not while anything says stop, an input is missing or fencepost_step() was not called for 0.3 s.
-   Motors are to follow this one. False of a null core. */
+/* True if the motors may run. False while anything says stop, an input is missing or fencepost_step() was not called
+   for 0.3 s. Motors are to follow this one. False of a null core. */
 FENCEPOST_API bool fencepost_may_drive(fencepost_core* core, int64_t now);
-/* m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it drives.
-   0 while anything says stop; 1.5 m / (alert.ttc_stop + 0.4 s) with nothing in its path. Negative: not known, as when
-   blind, and of a null core. For a robot that slows down before it stops. */
+/* m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it
+   drives. 0 while anything says stop; 1.5 m / (alert.ttc_stop + 0.4 s) with nothing in its path. Negative: not known,
+   as when blind, and of a null core. For a robot that slows down before it stops. */
 FENCEPOST_API float fencepost_speed_limit(const fencepost_core* core);
 /* Copies the objects of the map, at most `most`, and returns how many; 0 of null pointers. */
 FENCEPOST_API size_t fencepost_objects(const fencepost_core* core, fencepost_object* to, size_t most);
@@ -269,9 +269,9 @@ FENCEPOST_API size_t fencepost_sectors(const fencepost_core* core, float* to, si
    core, which does not know the floor, or null pointers. */
 FENCEPOST_API size_t fencepost_ways(const fencepost_core* core, fencepost_way* to, size_t most,
                                     const fencepost_passing_rule* rules, size_t count);
-/* Where the robot is in the map. False: no odometry yet, or null pointers. */
+/* Copies the robot's pose in the map. False: no odometry yet, or null pointers. */
 FENCEPOST_API bool fencepost_where(const fencepost_core* core, fencepost_pose* to);
-/* Of all that the map has been through, as `fencepost replay` prints it. 0 of a null core. */
+/* The digest of all states of the map so far, as `fencepost replay` prints it. 0 of a null core. */
 FENCEPOST_API uint64_t fencepost_digest(const fencepost_core* core);
 
 #ifdef __cplusplus

@@ -28,7 +28,7 @@ struct Camera : fencepost_camera {
   Camera() : fencepost_camera() {}
   Camera(const fencepost_camera& from)  // NOLINT(google-explicit-constructor): the same thing
       : fencepost_camera(from) {}
-  /// An ordinary lens that sees so many degrees across the width of the image; a width of 0 if that cannot be.
+  /// An ordinary lens with a field of view of `degrees` across the width of the image; a width of 0 if that cannot be.
   static Camera pinhole(std::uint16_t width, std::uint16_t height, float degrees) {
     return fencepost_pinhole(width, height, degrees);
   }
@@ -105,11 +105,11 @@ class Core {
   /// The name of a colour in sentences; at most 32 characters. errors: no room
   FENCEPOST_NODISCARD Answer set_name(std::uint8_t signature, const char* name);
 
-  /// `function(context, alert)` hears of each change of an alert, and of those that last again and again. It runs
-  /// inside the functions below and may not call them. nullptr: nobody.
+  /// `function(context, alert)` gets each change of an alert, and repeats of alerts that last. It runs inside the
+  /// functions below and may not call them. nullptr: none.
   void on_alert(AlertFunction function, void* context = nullptr);
-  /// Hears the log of the run, which `fencepost replay --check` plays again at the desk to the last bit. To be set
-  /// before the first input, else the log is none of the whole run.
+  /// Gets the log of the run, which `fencepost replay --check` plays again at the desk to the last bit. To be set
+  /// before the first input, else the log does not hold the whole run.
   void on_log(LogFunction function, void* context = nullptr);
 
   /// Where the wheels say that the robot is, in a frame that stays; 20 to 100 times a second. errors: time, range
@@ -122,8 +122,8 @@ class Core {
 
   /// The highest alert in force. kBlind until camera and odometry have said something.
   Level level() const;
-  /// May the motors run? Not while anything says stop, an input is missing or step() was not called for 0.3 s. It is
-  /// what motors are to follow.
+  /// True if the motors may run. False while anything says stop, an input is missing or step() was not called for 0.3
+  /// s. Motors are to follow this one.
   bool may_drive(std::int64_t now);
 
   /// m/s. The largest speed from which the robot still stops in front of what it knows. It holds for the way that it
@@ -142,9 +142,9 @@ class Core {
   /// How far and how fast the robot may go: on the spot, forward on seven arcs from the left to the right, and straight
   /// back. Returns how many; 0: no odometry yet, or a MicroCore, which knows no floor.
   std::size_t ways(Way* to, std::size_t most, const PassingRule* rules = nullptr, std::size_t count = 0) const;
-  /// Where the robot is in the map. False: no odometry yet.
+  /// The robot's pose in the map. False: no odometry yet.
   bool pose(Pose& pose) const;
-  /// Of all that the map has been through, as `fencepost replay` prints it.
+  /// The digest of all states of the map so far, as `fencepost replay` prints it.
   std::uint64_t digest() const;
 
   /// A new run: the map is empty and time begins again; camera, names, settings and callbacks stay.
