@@ -36,8 +36,8 @@ bool front_within(std::span<const recon::guard::Front> fronts, recon::MapPoint o
                   const recon::Vec2& place, float reach);
 
 /// Updates the guard's state and returns the level to report now, if any. `others`: the highest level in force for any
-/// object. What an object's alert says already is not said twice: this one rises only above it. What it has said stays
-/// until the fronts themselves are farther, but is not repeated while an object says as much.
+/// object. The level rises only above that one, so that nothing is reported twice. It then holds until the fronts
+/// themselves are farther, but is not repeated while an object's alert is as high.
 std::optional<record::AlertLevel> judge(AlertState& state, const FrontAhead& front, record::AlertLevel others,
                                         const AlertRules& rules, base::Time now);
 

@@ -441,7 +441,7 @@ void LoomingCore::look(std::span<LoomingTrack> tracks, recon::WaitingFrame& fram
     if (!track.used()) continue;
     if (other_scale) {
       track.speed_variance = bounded(track.speed_variance + kFirstSpeedVariance / 4);
-      track.moved = 0;  // without odometry it was not known who moved
+      track.moved = 0;  // without odometry, the robot's motion counted as the track's
     }
     predict(track, step);
     if (is_over(track)) track = {};

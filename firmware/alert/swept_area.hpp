@@ -106,7 +106,7 @@ class SweptArea {
   /// Narrower by `less` on either side (m), but never so narrow that it passes between two points of the guard.
   SweptArea(const RobotPath& path, float less);
 
-  /// Is a place in it? At most 4 m away.
+  /// True if the place is in the area; for places up to 4 m away.
   [[nodiscard]] bool contains(std::int32_t x, std::int32_t y) const { return sweep_.holds(x, y, bounds_); }
   [[nodiscard]] const Overhang& overhang() const { return overhang_; }
 

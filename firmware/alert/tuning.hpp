@@ -69,9 +69,9 @@ inline constexpr std::int32_t kFirstSpeedVariance = 1'000'000;
 inline constexpr std::int32_t kFastestThing = 1500;
 /// 2^-14, lateral gate of a box besides half of its width. By design.
 inline constexpr std::int32_t kSideGate = 600;
-// It comes by itself if its own speed is more than kSureSigmas, and than kMinOwn and kOwnShare together, in
-// kSureFrames frames in a row. A foot above the floor, or a wrong pitch, seems to move with the robot. More: late
-// stops; less: false ones.
+// A track approaches by itself if its own speed exceeds kSureSigmas, and kMinOwn and kOwnShare together, in kSureFrames
+// frames in a row. A foot above the floor, or a wrong pitch, seems to move with the robot. More: late stops; less:
+// false ones.
 
 /// Sigmas of the speed. Derived: the gate of everything.
 inline constexpr auto kSureSigmas = static_cast<std::int32_t>(recon::kGateSigmas);
@@ -98,7 +98,7 @@ inline constexpr int kMovedDepthShareLog2 = 3;
 /// mm/s. Maximum speed of a stationary robot: odometry is noisy. Of a faster one only what is known in scale counts.
 /// Hazard table.
 inline constexpr std::int32_t kRobotWavers = 60;
-/// mm/s. Minimum own speed of what comes by itself. Derived: the robot's speed is known no better.
+/// mm/s. Minimum own speed of a thing that approaches by itself. Derived: the robot's speed is known no better.
 inline constexpr std::int32_t kMinOwn = kRobotWavers;
 /// 2^-14. Maximum slope of a track that is ahead.
 inline constexpr std::int32_t kAheadSlope = 2500;
@@ -151,8 +151,7 @@ inline constexpr float kFrozenShift = 4;
 /// images; its boxes may then stay for a quarter more than its last interval. Derived: with longer intervals tracks
 /// would be deleted between two images.
 inline constexpr base::Duration kSlowestImage = kUnseen;
-// A step between two samples that is farther than any robot moves is a jump. The pose is then not believed for
-// recon::kMoment.
+// A step between two samples that is longer than any robot's is a jump. The pose is then not used for recon::kMoment.
 
 /// m. Part of the longest step that does not grow with time. By design.
 inline constexpr float kStepJump = 0.1F;

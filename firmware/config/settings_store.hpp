@@ -91,8 +91,8 @@ class SettingsStore {
     std::size_t size = 0;
   };
 
-  /// Lines on their way into a page. Whether more follow is known when the next one comes, or none does: the last word
-  /// of the latest is still to be written. After the first that does not fit, or that the part refuses, none is.
+  /// Lines on their way into a page. The last word of the latest line waits until it is known whether another follows.
+  /// After the first line that does not fit, or that the part refuses, none is written.
   class Put {
    public:
     Put(SettingsStore& store, std::size_t page, std::size_t end, State between)

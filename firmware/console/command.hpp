@@ -95,8 +95,8 @@ std::optional<std::string_view> typed(std::span<char> line);
 
 std::optional<Mode> mode_named(std::string_view word);
 
-/// Is this a command, with as many words as it needs, of the right kind? Answers what is wrong, or nothing (not
-/// pending) with the verb as subject. Whether a setting and its value are possible is not seen here.
+/// Checks that this is a command, with as many words as it needs, of the right kind. Answers with the error, or with
+/// nothing (not pending) and the verb as subject. A setting and its value are not checked here.
 Answer check(const Words& words);
 
 /// `reply` about the setting of that name, or `of_device` where that chooses a device and those are `offered`; or that

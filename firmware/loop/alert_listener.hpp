@@ -1,4 +1,4 @@
-// Who hears of alerts beside console and journal: the code that the loop is embedded in. Boards have none, and pay
+// The listener of alerts beside console and journal: the code that the loop is embedded in. Boards have none, and pay
 // nothing.
 #pragma once
 

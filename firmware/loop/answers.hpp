@@ -49,7 +49,7 @@ class Answers {
     }
   }
 
-  /// Was the line before answer.line the last one?
+  /// True if the line before answer.line was the last one.
   [[nodiscard]] bool complete() const {
     using console::Reply;
     const console::Answer& answer = m_.console.answer;

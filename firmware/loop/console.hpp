@@ -140,7 +140,7 @@ class Console {
   }
 
   [[gnu::noinline]] void handle_command(std::span<char> text, bool too_long) {
-    state().motion.ahead = false;  // whatever was typed, and be it noise
+    state().motion.ahead = false;  // any typed line stops the robot, even noise
     state().motion.by_button = false;
     state().watching = false;
     const std::optional<std::string_view> line = console::typed(text);
@@ -218,7 +218,7 @@ class Console {
     return {console::Reply::kHeld};
   }
 
-  // Of one object, by its number, or of all.
+  // The next view of one object, by its number, or of all.
   [[nodiscard]] console::Answer next(std::string_view id) {
     using console::Reply;
     if (id.empty()) return {Reply::kNext};

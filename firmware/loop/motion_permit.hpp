@@ -17,8 +17,8 @@ inline constexpr base::Duration kLive = base::milliseconds(300);
 
 class MotionPermit {
  public:
-  /// `beat`: what is in force now. `links`: what the drivers know of their cables, which is sooner than the stream does
-  /// where the robot stands. `now`: this robot's clock.
+  /// `beat`: the heartbeat in force now. `links`: the states of the drivers' cables; for a stationary robot they react
+  /// sooner than the stream. `now`: this robot's clock.
   [[nodiscard]] bool judge(const record::Heartbeat& beat, const console::Links& links, base::Time now) {
     if (begun_ && beat.t != t_) await(beat.t, now);
     if (!begun_ || beat.t != t_) passed_ = base::Stamp(now);

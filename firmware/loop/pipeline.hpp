@@ -384,7 +384,7 @@ class Pipeline {
     m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
   }
 
-  // May this input be used? In mode log only if its record is on its way.
+  // True if this input may be used: in mode log only if its record is on its way.
   template <class Input>
   [[nodiscard]] bool loggable(const Input& input) {
     if (m_.run.testing) return false;

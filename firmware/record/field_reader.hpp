@@ -66,7 +66,7 @@ class FieldReader {
       if (!items.push_back(item)) fail(Reject::kRange);
     }
   }
-  /// Is the next field empty? Then it is read.
+  /// True if the next field is empty, which is then read.
   bool left_empty(bool& is_empty) { return is_empty = skip_empty(); }
   /// Reads `count` empty fields.
   void empty(int count) {

@@ -152,7 +152,7 @@ class MapView {
   std::optional<std::size_t> zoom_;
   std::size_t step_ = 0;
   std::size_t row_ = 0;
-  // Of the picture that is being composed.
+  // State of the picture that is being composed.
   std::size_t named_ = 0;
   record::AlertLevel level_ = record::AlertLevel::kClear;
   std::optional<console::Nearest> nearest_;

@@ -33,7 +33,7 @@ struct ObjectLine {
 ObjectLine object_line(std::size_t row, std::size_t slot, std::string_view name,
                        const std::optional<base::Metres>& distance);
 
-/// Whether camera and odometry deliver.
+/// The states of camera and odometry.
 Label links_label(const console::Links& links);
 Label mode_label(console::Mode mode);
 

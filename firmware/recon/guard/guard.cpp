@@ -80,7 +80,7 @@ struct FootLine {
   std::int32_t line_right = 0;
   Cells wanted;  // of the line, without a point
 
-  // Is the place in the blob's columns, or less than `beside` mm from them?
+  // True if the place is in the blob's columns, or no more than `beside` mm from them.
   [[nodiscard]] bool covers(const Place& place, std::int32_t beside = 0) const {
     return place.left <= times(place.depth, left) + beside && place.left >= times(place.depth, right) - beside;
   }
@@ -160,7 +160,7 @@ class Judgement {
   }
 
  private:
-  // Of a blob whose foot is below the image nothing is guessed where its foot was seen before.
+  // For a blob whose foot is below the image, no foot is guessed where one was seen before.
   static void guess_nothing_beside(const Place& place, FootLine& foot) {
     if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth >> kCutReachLog2) ||
         !foot.covers(place, kSpacing))
@@ -242,7 +242,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
   }
 
   const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));
-  // In whole counts: what was supported in the one in which the robot came to stand may have been seen on its way.
+  // In whole counts: a point supported in the count of the stop may have been seen while the robot still moved.
   const std::int64_t stood = std::min<std::int64_t>(t.raw / kSeenTicks - stands_since.raw / kSeenTicks, kOldest);
   const bool counts_unsure = turn_ % kUnsureFrames == 0;
   Judgement judgement(camera.floor, feet);

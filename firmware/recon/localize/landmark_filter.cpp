@@ -21,7 +21,7 @@ class Covariance {
   [[nodiscard]] float& at(std::size_t i, std::size_t j) const {
     return i >= j ? values_[i * (i + 1) / 2 + j] : values_[j * (j + 1) / 2 + i];
   }
-  /// Of the radius in `slot`: covariances with the places, then its variance.
+  /// The row of the radius in `slot`: covariances with the places, then its variance.
   [[nodiscard]] std::span<float> radius(std::size_t slot) const {
     return values_.subspan(places_ * (places_ + 1) / 2 + slot * (places_ + 1), places_ + 1);
   }

@@ -18,7 +18,7 @@ std::int32_t turn_between(std::int32_t from, std::int32_t to) {
 
 float LensCheck::told_over_true() const { return turned_told_ > 0 ? turned_square_ / turned_told_ : 1.0F; }
 
-// Is it turning, by the heading of the frame before?
+// True if the robot turns, by the heading of the frame before.
 bool LensCheck::turn(std::int32_t heading, base::Time exposure) {
   const std::int32_t step = turn_between(heading_, heading);
   const base::Duration passed = exposure_.since(exposure);

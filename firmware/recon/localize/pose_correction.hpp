@@ -148,7 +148,7 @@ class PoseCorrection {
     if (!looks_) return driven;
     ++looks_taken_;
     const LensPose lens = lens_pose(driven, camera);
-    // Whether odometry drifts can be asked of one landmark at a time; where it is needs as many as there is time for.
+    // To detect drift, few landmarks a frame suffice; to correct the pose, take as many as there is time for.
     const std::size_t most = corrects_ ? Profile::kModelTurns : Profile::kLookTurns;
     std::size_t turns = 0;
     for (std::size_t i = 0; i < kLandmarks && turns < most; ++i) {

@@ -81,12 +81,12 @@ NormalEquations with_radius(NormalEquations equations, const RadiusPrior& prior)
   return equations;
 }
 
-// Without enough parallax a typical radius stands in for it.
+// Without enough parallax a typical radius replaces it.
 CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, const Vec2& lens, float sigma) {
   return solve_equations(with_radius(equations, {kTypicalRadius, sigma}), lens);
 }
 
-// Do they contradict an estimate that was made without them?
+// True if the rows agree with an estimate that was made without them.
 bool agree(const NormalEquations& rows, const CylinderEstimate& from_edges) {
   const float weight = rows.information.rr;
   const Vec2 mean_normal{rows.information.xr / weight, rows.information.yr / weight};

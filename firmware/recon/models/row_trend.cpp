@@ -47,7 +47,7 @@ RowTrend::Front RowTrend::front() const {
   const float mean_travel = travel_ / weight_;
   const float ahead = range_ / weight_ * scale_;  // of where the robot was on the mean
   const float away = mean_travel + ahead - travelled_;
-  // Of the mean, and of the slope as far ahead as the line is drawn out.
+  // The variance of the mean, and that of the slope over the extrapolated length.
   const float variance = scale_ * scale_ * (1 / weight_ + ahead * ahead / spread());
   return {{-bearing_, -(bearing_.dot(lens_) + away)}, variance};
 }

@@ -42,7 +42,7 @@ class FloorCamera {
   [[nodiscard]] std::int32_t rightmost_visible() const { return rightmost_visible_; }
 
  private:
-  /// Of all rays at one undistorted row.
+  /// The values shared by all rays at one undistorted row.
   struct Row {
     std::int32_t forward = 0;
     std::int32_t depth = FloorPoint::kNowhere;

@@ -124,7 +124,8 @@ struct Object : ObjectCore {
     for_each_model([&](auto& model) { model.start(first, origin); });
   }
 
-  /// The models were of something else: starts them again with this sighting; who it is and that it is there stays.
+  /// The models were of something else: starts them again with this sighting. Identity, history, confirmation and
+  /// presence stay.
   void restart(const Sighting& sighting, base::Time t) {
     const SightingHistory seen = history;
     const bool was_confirmed = confirmed;

@@ -57,7 +57,7 @@ class ObjectTable {
     exposure_ = exposure;
   }
 
-  /// The frame's matches, from `lens`: who was seen, who should have been, and what is new.
+  /// Applies the frame's matches, from `lens`: objects seen, objects missed, and new ones.
   void update(MatcherType& matcher, const CameraModel& camera, const LensPose& lens, FrameOutcome& outcome) {
     end_divided(matcher);
     track_seen(matcher, camera, lens);

@@ -10,7 +10,7 @@ namespace {
 
 bool near(int p, int q) { return p - q <= kTouchPixels && q - p <= kTouchPixels; }
 
-// Does `post` fill the columns between `left` and `right`, in front of both?
+// True if `post` fills the columns between `left` and `right`, in front of both.
 bool fills_gap(const Box& post, const Box& left, const Box& right) {
   return post.x1 <= left.x2 + kTouchPixels && post.x2 >= right.x1 - kTouchPixels && post.x1 >= left.x1 &&
          post.x2 <= right.x2 && post.y1 <= left.y1 + kTouchPixels && post.y2 >= left.y2 - kTouchPixels;

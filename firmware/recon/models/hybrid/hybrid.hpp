@@ -99,8 +99,8 @@ inline constexpr std::size_t kOutlineVertices = 72;
 void hash_clusters(base::Fnv1a64& hash, ConstClusters clusters);
 void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView& outline);
 
-/// An end is seen from `lens` (local frame), its tangent has this normal. Do edges that were seen before say that the
-/// object ends elsewhere? False also where there were none.
+/// True if edges seen before contradict an end that is seen from `lens` (local frame), with a tangent of this normal.
+/// False also where there were none.
 bool edges_contradict(const HybridCore& core, ConstClusters clusters, const OutlineView& outline, const Vec2& lens,
                       const Vec2& normal);
 

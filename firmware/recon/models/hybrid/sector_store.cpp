@@ -71,7 +71,7 @@ Cluster merged(const Cluster& cluster, float phase, const Tangent& tangent, floa
 
 std::uint8_t encode_sigma(float sigma) {
   float mantissa = std::clamp(sigma, kSmallestSigma, 6.0F) / kSigmaUnit;
-  // By the float's own exponent, all halvings at once, to 16 up to 32.
+  // The float's own exponent gives all halvings at once, to a mantissa of 16 up to 32.
   std::uint32_t bits = 0;
   std::memcpy(&bits, &mantissa, sizeof bits);
   constexpr std::uint32_t kExponentOf16 = 127 + 4;
