@@ -1,1 +1,1 @@
-// Nothing: what is compiled with it are the headers that tests/CMakeLists.txt names.
+// Empty: it compiles the headers that tests/CMakeLists.txt names.

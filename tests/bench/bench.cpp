@@ -102,7 +102,7 @@ int run(const std::string& file) {
 }  // namespace fencepost::bench
 
 int main(int argc, char** argv) {
-  // Repetitions of all in random order: what slows the machine down for a while slows down all.
+  // Repetitions of all in random order, so that a machine that is slow for a while slows down all.
   std::vector<std::string> words{argv[0], "--benchmark_min_time=0.05", "--benchmark_repetitions=9",
                                  "--benchmark_enable_random_interleaving=true"};
   std::string file;

@@ -84,7 +84,7 @@ double area_of(const recon::CarveGrid<N>& grid) {
   return solid * cell * cell;
 }
 
-/// One state an object, and what is done with it for each view.
+/// One state an object, and its update for each view.
 template <class State>
 struct Kernel {
   explicit Kernel(const Workload& workload) : sides(sides_of(workload)), states(workload.size()) {}

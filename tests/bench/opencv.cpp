@@ -8,7 +8,7 @@
 
 namespace fencepost::bench {
 
-// A byte a cell: the filled triangle of each view, and what was solid before.
+// A byte a cell: the filled triangle of each view, and the cells that were solid before.
 Contender opencv(const Workload& workload, std::size_t cells) {
   constexpr int kBits = 4;  // of a cell, that corners are given to
   struct State {

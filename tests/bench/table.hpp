@@ -20,7 +20,7 @@ std::string tables(const std::vector<Measured>& all);
 /// Processor, compiler and day.
 std::string machine();
 
-/// Replaces what stands between the marks in the file. False: it cannot be read or written, or has no marks.
+/// Replaces the text between the marks in the file. False: it cannot be read or written, or has no marks.
 bool write_between_marks(const std::string& path, const std::string& text);
 
 }  // namespace fencepost::bench

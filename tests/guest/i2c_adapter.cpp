@@ -49,7 +49,7 @@ std::optional<Bytes> I2cAdapter::request(const UsbSetup& setup, const Bytes& out
   enum : std::uint8_t { kEcho = 0, kFunctions = 1, kDelay = 2, kStatus = 3, kTransfer = 4, kLast = 7 };
   switch (setup.request) {
     case kEcho: return Bytes{static_cast<std::uint8_t>(setup.value), static_cast<std::uint8_t>(setup.value >> 8)};
-    case kFunctions: return Bytes{0x01, 0x00, 0xFF, 0x0E};  // I2C_FUNC_I2C and what SMBus can do by it
+    case kFunctions: return Bytes{0x01, 0x00, 0xFF, 0x0E};  // I2C_FUNC_I2C and the SMBus functions made of it
     case kDelay: return Bytes();
     case kStatus: return Bytes{acknowledged_ ? std::uint8_t{1} : std::uint8_t{2}};
     default: break;

@@ -17,7 +17,7 @@
 
 namespace fencepost::test {
 
-/// Where it runs, and what its standard input, output and errors are; negative: the test's own.
+/// The folder in which it runs, and its standard input, output and errors; negative: the test's own.
 struct Surroundings {
   std::string folder = ".";
   int in = -1;

@@ -42,7 +42,7 @@ class Looks : public testing::Test {
     looming_.clear();
   }
 
-  /// The next frame; what is due then.
+  /// Shows the next frame and returns the alert due then.
   FrontAhead look(bool lit = true) {
     t_ += 1 / kRate;
     heading_ += turn_ / kRate;

@@ -191,7 +191,7 @@ void flickers(Tracks& tracks) {
     }
   }
 }
-// Turned on the spot and back; what is far to the side leaves the image.
+// The robot turns on the spot and back; things far to the side leave the image.
 void turns(Tracks& tracks) {
   for (int i = 0; i < 60; ++i) {
     const int urad = i < 30 ? 20'000 : -20'000;

@@ -1,4 +1,4 @@
-// Which devices there are, what they see through which lens, and what cannot be had together.
+// The devices that there are, their lenses, and the choices that cannot be had together.
 #include "firmware/config/devices.hpp"
 
 #include <gtest/gtest.h>

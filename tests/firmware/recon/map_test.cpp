@@ -334,7 +334,7 @@ TEST(Map, AFewSightingsThatNothingBearsOutAreForgotten) {
   EXPECT_TRUE(drive.objects().empty());
 }
 
-// A small table, and a robot that drives on: what it saw first makes room, but not within five seconds.
+// A small table, and a robot that drives on: the objects that it saw first make room, but not within five seconds.
 TEST(Map, AFullTableForgetsWhatIsLongOutOfSight) {
   Drive<config::Micro> drive;
   const auto pass = [&](std::uint8_t signature, double along) {

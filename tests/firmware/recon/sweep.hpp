@@ -84,7 +84,7 @@ class Sweep {
   std::vector<Told> all_;
 };
 
-/// Each line by itself, so that a failure says what is another answer now.
+/// Compares each line by itself, so that a failure names the answer that has changed.
 inline void expect_said(const Sweep& sweep, const std::vector<std::string>& lines) {
   const std::vector<std::string> said = sweep.said();
   EXPECT_EQ(said.size(), lines.size());

@@ -1,4 +1,4 @@
-// Text to scaled integers and back: rounding, limits, and what is no number.
+// Text to scaled integers and back: rounding, limits, and texts that are no number.
 #include "firmware/record/decimal.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// One line at a time: every reason to reject it, and what is accepted beyond what the encoder writes.
+// One line at a time: every reason to reject it, and lines that are accepted though the encoder never writes them.
 #include "firmware/record/decode.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Predicted edges and rows against what the simulator's exact rays hit.
+// Predicted edges and rows against the simulator's exact rays.
 #include "host/calibrate/sighting_model.hpp"
 
 #include <gtest/gtest.h>

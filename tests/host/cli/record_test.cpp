@@ -163,7 +163,7 @@ TEST_F(Record, NamesTheFileByTheTime) {
   EXPECT_EQ(name, "fencepost-dddddddd-dddddd.log");
 }
 
-// The order: what could not be kept is not shown.
+// The order: a line that could not be kept is not shown.
 TEST_F(Record, AFullDiskEndsItAndNothingIsShownThatIsNotKept) {
   Process run(folder, {"record", port, "-o", "/dev/full"});
   ASSERT_EQ(heard(10), "\rmode log\r");

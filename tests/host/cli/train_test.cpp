@@ -51,7 +51,7 @@ TEST_F(Train, WritesTheColoursOfBoxes) {
   EXPECT_EQ(file["signatures"][0]["name"], "orange");
   EXPECT_EQ(file["signatures"][1]["name"], "colour 2");
   ASSERT_EQ(file["colours"].size(), 2U);
-  // Shares of what these Y, U and V are: 219, 103 and 15 of 337.
+  // The colour's shares by these Y, U and V: 219, 103 and 15 of 337.
   EXPECT_LT(file["colours"][0]["red"][0], 0.64);
   EXPECT_GT(file["colours"][0]["red"][1], 0.65);
   EXPECT_NE(outcome.err.find("orange: 100 % of its boxes, 0 px elsewhere"), std::string::npos) << outcome.err;

@@ -1,4 +1,4 @@
-// Settings in an image: what is written is what the robot's own store reads.
+// Settings in an image: the robot's own store reads exactly the settings that were written.
 #include "host/configure/configure.hpp"
 
 #include <gtest/gtest.h>

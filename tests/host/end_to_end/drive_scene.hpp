@@ -1,4 +1,5 @@
-// A drive of six seconds towards a red block, past nothing, with a yellow post behind it; and what may come out of it.
+// A drive of six seconds towards a red block, past nothing, with a yellow post behind it; and the bounds of its
+// results.
 #pragma once
 
 #include <gtest/gtest.h>

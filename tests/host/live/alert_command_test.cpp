@@ -96,7 +96,7 @@ TEST_F(AlertCommandTest, TheEndOfARunThatStandsIsNoChange) {
   EXPECT_EQ(read(path("seen")), "stop\n");
 }
 
-// One at a time; what waits is replaced by what is newer.
+// One command runs at a time; a newer alert replaces the one that waits.
 TEST_F(AlertCommandTest, TheNewestChangeIsNotLostBehindASlowOne) {
   const auto begun = std::chrono::steady_clock::now();
   {

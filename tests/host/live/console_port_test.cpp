@@ -50,7 +50,7 @@ TEST(ConsoleSpec, SaysWhatIsAllowed) {
   }
 }
 
-/// Takes what the test lets it.
+/// Takes as many bytes as the test allows.
 class FakePort final : public ConsolePort {
  public:
   base::Result<std::size_t> read(std::span<std::uint8_t> /*in*/) override { return Error::kNotReady; }

@@ -1,4 +1,4 @@
-// Whole images through segmentation: what was painted is what the log says.
+// Whole images through segmentation: the log has exactly the painted blobs.
 #include "host/segment/segment.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The recordings that come with the project are what the simulator makes of their scenes, byte for byte.
+// The simulator makes the recordings that come with the project from their scenes, byte for byte.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -174,7 +174,7 @@ TEST(ViewServer, StreamsTheLogFromItsFirstLineToSeveral) {
   EXPECT_EQ(unchunked(second.read()), "$FPHDR,1\none\ntwo\n");
 }
 
-// The loop's side: what it costs to add lines while nobody, somebody slow, or somebody who stopped reads.
+// The loop's side: the cost of adding lines while nobody reads, a slow reader does, or one that has stopped.
 TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
   const auto server = server_of("", 2 << 20);
   Browser slow(*server, 32 << 10);

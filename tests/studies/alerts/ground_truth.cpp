@@ -7,7 +7,7 @@ namespace fencepost::test {
 namespace {
 
 constexpr double kStep = 0.01;   // s
-constexpr double kBeyond = 1.0;  // m: what the robot would touch had the run gone on is in its path, too
+constexpr double kBeyond = 1.0;  // m: a thing that the robot would touch if the run went on is in its path, too
 constexpr double kNearly = 1.5;  // a stop this many times too early is still right
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One approach through the robot's own loop, and what is to be said of its alerts.
+// One approach through the robot's own loop, and the judgement of its alerts.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct ObstacleVerdict {
   std::optional<double> late_by{};  ///< s; empty: not said in this run
 };
 
-/// Poses and edges are not good enough to tell what is in the margin from what is this far outside it (m).
+/// m outside the margin: poses and edges are not good enough to distinguish a thing here from one in the margin.
 inline constexpr double kGrace = 0.03;
 
 /// A `stop` with nothing in the path near enough.

@@ -1,4 +1,4 @@
-// Whole calibrations of simulated drives: what is found, and what is refused.
+// Whole calibrations of simulated drives: the numbers found, and the logs refused.
 #include "host/calibrate/calibrate.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ CalibrateOutcome run(const CalibrationDrive& drive, const CalibrateOptions& opti
   return calibrate(drive.log, "drive", options);
 }
 
-// Without noise all that is left is what the model has not: corners, whole pixels.
+// Without noise the only errors are those that the model does not have: corners, whole pixels.
 TEST(Calibrate, FindsWhatWasToldWrong) {
   DriveOptions options;
   options.seed = 501;

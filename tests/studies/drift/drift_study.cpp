@@ -1,4 +1,4 @@
-// Pose correction against drifting odometry: how much of the pose error goes, and what the models are worth then.
+// Pose correction against drifting odometry: the share of the pose error that it removes, and the models' R + P then.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// One robot and what it meets: all that a run needs, and nothing that was found out.
+// One robot and the things that it meets: all inputs of a run, and none of its results.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The closed loop: a robot that hears stop stands. And what the listeners make of frames.
+// The closed loop: a robot that hears stop stands. And the listeners' answers to frames.
 #include "tests/studies/hazards/encounter_run.hpp"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(EncounterRun, ARobotThatObeysStandsAndGoesOn) {
   EXPECT_NEAR(progress(2), 1 + met.brake.reaction + met.brake.full / 2, 0.03);
   EXPECT_NEAR(progress(3), progress(2), 1e-9);
   EXPECT_NEAR(progress(4), progress(2) + 1 - met.brake.reaction - met.brake.full / 2, 0.03);
-  // The box is 0.9 m away from the body: 4.5 s of driving, and what it stood.
+  // The box is 0.9 m away from the body: 4.5 s of driving, and the time that it stood.
   EXPECT_NEAR(history.end, 4.5 + 2, 0.05);
 }
 

@@ -1,4 +1,4 @@
-// Prints what becomes of the alerts' promise, family by family, beside rules as users write them.
+// Prints how often alerts keep their promise, family by family, beside rules as users write them.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The judges of the table, on runs made by hand: what is late has to be found late.
+// The judges of the table, on runs made by hand: a late stop has to be found late.
 #include <gtest/gtest.h>
 
 #include <cmath>

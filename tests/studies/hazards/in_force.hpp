@@ -30,7 +30,7 @@ struct Stretch {
 /// alerts to the end of the last.
 class Stretches {
  public:
-  /// `alerts` in order of time; what is in force at the end stays so.
+  /// `alerts` in order of time; an alert in force at the end stays so.
   Stretches(std::span<const record::AlertReport> alerts, record::AlertLevel least);
 
   [[nodiscard]] const std::vector<Stretch>& all() const { return stretches_; }

@@ -1,4 +1,4 @@
-// Who hears the robot's sensors and says stop: Fencepost's own loop, or a rule as users write it.
+// A listener hears the robot's sensors and says stop: Fencepost's own loop, or a rule as users write it.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Where the robot's body and the objects truly are: distances, contacts, and what will be.
+// The true places of the robot's body and of the objects: distances, contacts, and those to come.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The way from the sensors to the robot, and what goes wrong on it.
+// The way from the sensors to the robot, and the faults on it.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The tables of the reacquisition study and what is asked of them.
+// The tables of the reacquisition study and their targets.
 #pragma once
 
 #include <string>

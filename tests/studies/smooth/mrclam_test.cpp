@@ -1,4 +1,4 @@
-// A real robot's 15 minutes by its commanded velocities: what the whole log tells, and what calibrate finds.
+// A real robot's 15 minutes by its commanded velocities: the optimum over the whole log, and what calibrate finds.
 #include <gtest/gtest.h>
 
 #include <cstdio>

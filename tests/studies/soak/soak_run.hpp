@@ -1,4 +1,4 @@
-// A long drive with everything that happens to a robot in it, and what must not change meanwhile.
+// A long drive with everything that happens to a robot in it, and the rules that hold all the time.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ TEST_P(Soak, TenMinutesChangeNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Soak, testing::Values("micro", "small", "full"));
 
-// The stream's time ends at 999,999 s, after eleven days: no record can say more, so mode log refuses what comes.
+// The stream's time ends at 999,999 s, after eleven days. No record can say more, so mode log refuses later inputs.
 TEST(SoakEdge, AtTheEndOfTheStreamsTimeALogRefusesAndTheRobotGoesOn) {
   const Piece lap = make_lap(1, {0, 0});
   SoakDesk<config::Micro> desk(base::Time{999'999LL * base::Time::kPerUnit - 4 * base::Time::kPerUnit}, 0);

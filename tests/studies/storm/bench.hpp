@@ -1,4 +1,4 @@
-// The world, the two devices with their cables, and what of the events happens to these.
+// The world, the two devices with their cables, and the events that happen to these.
 #pragma once
 
 #include <algorithm>

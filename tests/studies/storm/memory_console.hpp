@@ -1,4 +1,4 @@
-// The console of a run: what is typed, what comes out, and a line that is slow, stands or is unplugged.
+// The console of a run: its input, its output, and a line that is slow, stuck or unplugged.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class MemoryConsole final : public host::ConsolePort {
   [[nodiscard]] std::string problem() const override { return {}; }
   [[nodiscard]] int descriptor() const override { return -1; }
 
-  /// So much time has passed: a UART's buffer has room for what was sent meanwhile.
+  /// Time has passed: a UART's buffer has room for the bytes that were sent meanwhile.
   void pass(base::Duration time) {
     constexpr double kBuffer = 20;  // ms
     budget_ = std::min(budget_ + per_ms_ * static_cast<double>(time.raw) / 10, std::max(1.0, kBuffer * per_ms_));

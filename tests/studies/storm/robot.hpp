@@ -47,7 +47,7 @@ class StormRobot {
  public:
   virtual ~StormRobot() = default;
 
-  /// Switched on: what is in flash comes into force, over the camera that it is delivered with.
+  /// Switches it on: the configuration in flash comes into force, over the camera that it is delivered with.
   virtual void start(const sensor::CameraIntrinsics& delivered) = 0;
   /// Somebody configures it once; that goes to flash with the next turns.
   virtual void tell(const Kept& told) = 0;

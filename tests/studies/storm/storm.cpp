@@ -127,7 +127,7 @@ bool print_sum(const Request& request, const Sum& sum) {
   return sum.failed == 0 && sum.runs == request.seeds;
 }
 
-// A process each: what one does to its memory is no other's.
+// A process each: no run can damage another's memory.
 bool run(const Request& request) {
   if (request.jobs <= 1) return print_sum(request, run_share(request, 0));
   std::vector<std::pair<pid_t, int>> children;

@@ -1,4 +1,4 @@
-// One run: a robot, its devices and its world on one clock, and what was wrong.
+// One run: a robot, its devices and its world on one clock, and the faults found.
 #pragma once
 
 #include <cstdint>

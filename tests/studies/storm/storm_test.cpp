@@ -1,4 +1,4 @@
-// Fifty robots in storms, and that what is planted is found.
+// Fifty robots in storms; and each planted fault is found.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Looks over the robot's shoulder: after each turn, does what it says agree with what it was given?
+// Looks over the robot's shoulder: after each turn, does its output agree with its inputs?
 #pragma once
 
 #include <deque>

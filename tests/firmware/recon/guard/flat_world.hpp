@@ -1,4 +1,4 @@
-// Fronts that stand across the robot's way, and what a camera shows of them: enough of a world to test the guard in.
+// Fronts across the robot's way, and a camera's frames of them: enough of a world to test the guard in.
 #pragma once
 
 #include <algorithm>

@@ -84,7 +84,7 @@ TEST(SeenFloor, IsForgottenAfterAPause) {
   EXPECT_FALSE(bench.seen(1.0, 0));
 }
 
-// 4 m to a side, and the robot in the middle: what it leaves behind is not mistaken for what comes.
+// 4 m to a side, and the robot in the middle: the floor left behind is not mistaken for the floor ahead.
 TEST(SeenFloor, GoesWithTheRobotInEachDirection) {
   for (const auto& [dx, dy] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}, {0.7, -0.7}}) {
     const double heading = std::atan2(dy, dx);

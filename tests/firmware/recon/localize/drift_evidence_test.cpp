@@ -71,7 +71,7 @@ TEST(DriftEvidence, FollowingNoiseIsNoDrift) {
   }
 }
 
-// Sums that are exact: it is enough when it is more than what is asked for, not when it is that.
+// Sums that are exact: the evidence is enough when it is above the threshold, not when it equals it.
 TEST(DriftEvidence, OfBearingsOnALattice) {
   Draw draw(201);
   Sweep sweep;

@@ -312,7 +312,7 @@ TEST(LensCheck, WhatTheRobotHasPassedTellsNothing) {
   }
 }
 
-// Half is forgotten at 64 samples: what is known stays known.
+// Half is forgotten at 64 samples: the estimate stays.
 TEST(LensCheck, StaysSureAfterHundredsOfSamples) {
   OneThing robot;
   for (int i = 0; i < 900; ++i) {

@@ -276,7 +276,7 @@ Observation any_piece(Draw& draw, int left, int right, std::uint8_t signature) {
   return seen;
 }
 
-// Two blobs with a gap, what may be a post in it, and up to two objects that are expected about there.
+// Two blobs with a gap, perhaps a post in it, and up to two objects that are expected about there.
 TEST(Pieces, OfBlobsAndObjectsThatAreAlmostWhereTheyShouldBe) {
   Draw draw(11);
   Sweep sweep;

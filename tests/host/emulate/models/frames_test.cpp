@@ -7,7 +7,7 @@ namespace {
 
 std::string said(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
-// The checksums are CRC-16/CCITT-FALSE of what stands between $ and *, by another program (binascii.crc_hqx).
+// The checksums are CRC-16/CCITT-FALSE of the text between $ and *, by another program (binascii.crc_hqx).
 TEST(FramePrinter, PrintsLines) {
   FramePrinter camera(true);
   FramePrinter without(false);

@@ -187,7 +187,7 @@ TEST(EmulateServer, FollowsACmucam4ThatChangesItsRate) {
   running.stop();
 }
 
-// The first host has the right rate; what is wrong with the second one is said, once, and nothing gets through.
+// The first host has the right rate. The second one's wrong rate is reported once, and nothing gets through.
 TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
   const TestFolder folder;
   Running running(moving_box(316, 208, 1'000));

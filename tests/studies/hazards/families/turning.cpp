@@ -165,7 +165,7 @@ Outcome swing_back(unsigned seed, const Conditions& conditions) {
   return judge_body(turn_by_post(kNose, turn, dice, seed, conditions), conditions);
 }
 
-// The same turns beside a post that no corner reaches, with its margin and what grazes: nothing to say.
+// The same turns beside a post that no corner reaches, not even with its margin and the grazes: no stop is due.
 Outcome turn_freely(const Turn& turn, Dice& dice, unsigned seed, const Conditions& conditions) {
   const Encounter met = turn_by_post(kTail, turn, dice, seed, conditions);
   Outcome outcome;
