@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """usage: images.py SOURCE BUILD OUT VERSION
 
-Builds the image of every board and leaves in OUT: fencepost-VERSION-BOARD.KIND, a page that says what to do with them,
-SHA256SUMS, and the guide to a first alert with drawings and examples. fencepost-boards.html is the page with all images
-inside. Former contents of OUT are deleted, if they came from here.
+Builds the image of every board. OUT gets fencepost-VERSION-BOARD.KIND, a page that says what to do with them,
+SHA256SUMS, and the guide to a first alert with its drawings and examples. fencepost-boards.html is the page with all
+images inside. Former contents of OUT are deleted, if they came from here.
 """
 
 import base64

@@ -15,7 +15,7 @@ class Attached {
   /// Switched on at `now`; `line` is borrowed.
   Attached(Line& line, std::unique_ptr<emulate::DeviceModel> model, base::Time now);
 
-  /// What the board asks, and what the device says by its own clock.
+  /// Brings the device the board's bytes, and the board the device's answers by the device's clock.
   void pump(base::Time now);
   void see(const sensor::BlobFrame& frame, base::Time now);
   /// Which way its wheels will go; `roll` goes it, in the way's own time.

@@ -41,7 +41,7 @@ void Bench::attach_devices() {
   if (board_.base_device) base_ = std::make_unique<Attached>(base_line(), board_.base_device(), now());
 }
 
-// What it said until now stays said.
+// Output up to now is kept.
 void Bench::tell() {
   static_cast<void>(await("READY\r\n"));
   for (const std::string& setting : board_.told) {

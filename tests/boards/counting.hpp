@@ -29,9 +29,10 @@ using Counts = std::map<std::string, StageCount>;
 /// A name for the tables and a part of the function's demangled name, each.
 using Stages = std::vector<std::pair<std::string, std::string>>;
 
-/// What all images have: "input" is all that a frame sets in motion, and of that "predict" where objects should be,
-/// "see" the blobs' ends, "pose" the pose correction, "models" and "hybrid", "digest", "guard", "alerts"; beside it
-/// "line", the console and its records, and the loop's whole "turn". `more` are the board's own.
+/// The stages of all images. "input" is all that a frame sets in motion. Within it, "predict" is where objects should
+/// be, "see" the blobs' ends, "pose" the pose correction. The others within it are "models" and "hybrid", "digest",
+/// "guard", "alerts". Beside it are "line", the console and its records, and the loop's whole "turn". `more` are the
+/// board's own.
 Stages stages_of_a_loop(const Stages& more = {});
 
 /// And those of profiles that see the floor: "floor" of the frames that are looked at, "sectors" and "ways" once a
@@ -59,7 +60,7 @@ struct FullTable {
 };
 
 // GoogleTest expectations.
-/// The board stands ready, its pose is corrected or not, and it is being told its camera and colours.
+/// The board is ready, its pose is corrected or not, and its camera and colours are being configured.
 void expect_ready_to_count(Bench& bench, const SceneStream& stream, PoseCorrected corrected);
 /// Plays the scene; all objects are in the table at its end.
 void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t objects);
@@ -67,9 +68,9 @@ void expect_full_table(Bench& bench, const SceneStream& stream, std::size_t obje
 void expect_full_table_as_committed(const FullTable& table, PoseCorrected corrected,
                                     const std::function<BoardUnderTest(const std::vector<std::string>&)>& board);
 
-/// Prints the stages; expects more than `least` frames - calls of the stage "digest" - and of each stage no more
-/// instructions a frame, and a call, than its row in firmware/image/stages.csv has; the stack and, with correct.pose
-/// off, the whole frame ("input") within the image's row in sizes.csv.
+/// Prints the stages. Expects more than `least` frames: calls of the stage "digest". Of each stage it expects no more
+/// instructions a frame, and a call, than its row in firmware/image/stages.csv has. The stack has to be within the
+/// image's row in sizes.csv, and with correct.pose off so has the whole frame ("input").
 void expect_counts_as_committed(const Counts& counts, const std::string& image, PoseCorrected corrected, double least);
 
 }  // namespace fencepost::test

@@ -23,8 +23,8 @@ std::string make_folder() {
   return name;
 }
 
-// This program, the emulator's core and its loop take turns, a thousand times and more a second: on one processor that
-// is half the work that it is on two. Which one: another for the next of several tests at once.
+// This program, the emulator's core and its loop take turns, a thousand times and more a second. On one processor that
+// is half the work that it is on two. Of several tests at once each takes another processor.
 void stay_on_one_processor() {
   cpu_set_t allowed;
   if (::sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;

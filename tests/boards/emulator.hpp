@@ -31,7 +31,7 @@ class Machine {
   virtual void stop() {}
 };
 
-/// What has to be known of a board to talk to its image.
+/// The facts of a board that a test needs to talk to its image.
 struct BoardUnderTest {
   std::string name;  ///< of its preset
   /// The emulator's command; `sockets`: paths to connect to, one a line.

@@ -1,4 +1,4 @@
-// What every board is tested for. A board's own tests say what it is, by INSTANTIATE_TEST_SUITE_P, with its name.
+// The tests of every board. A board's own tests give its facts, by INSTANTIATE_TEST_SUITE_P, with its name.
 #pragma once
 
 #include <gtest/gtest.h>

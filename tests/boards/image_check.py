@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """usage: image_check.py IMAGE BUILD_DIR SIZES.csv [--context-words N]
 
-The linked image of one board, IMAGE being its row of SIZES.csv: no symbol of a heap, of exceptions, run-time types,
-guarded statics, printf or of a libm function that differs between C libraries; flash, static memory and worst-case
-stack (the deepest path from start-up, one interrupt on top of it) no larger than in the table. All bytes.
+The linked image of one board, IMAGE being its row of SIZES.csv. It has no symbol of a heap, of exceptions, run-time
+types, guarded statics, printf or of a libm function that differs between C libraries. Flash, static memory and
+worst-case stack, in bytes, are no larger than in the table. The stack is the deepest path from start-up, with one
+interrupt on top.
 """
 
 import csv
@@ -20,7 +21,7 @@ import worst_case  # noqa: E402
 
 # Ours, and harmless: a trap (hal/mcu/support.cpp).
 ALLOWED = {"abort"}
-# What the core pushes when an interrupt comes: 8 words, with the float unit 26, and one to align (Armv7-M B1.5.7).
+# Words that the core pushes when an interrupt comes: 8, with the float unit 26, and one to align (Armv7-M B1.5.7).
 CONTEXT_WORDS = 27
 # Functions of the compiler's library: allowances for their frames, by their code (12.2: at most 10 words and a callee).
 LIBGCC = re.compile(r"__(?:aeabi_\w+|popcount\w+|clz\w+|ctz\w+|gnu_\w+|\w*div\w*|\w*mod\w*|[a-z]+[sd]f\w*)$|sqrtf?$")
@@ -133,7 +134,7 @@ def stack(elf, build, context_words):
 
 
 def reserved_stack(elf):
-    """What the linker script keeps free for it at least."""
+    """Bytes of stack that the linker script keeps free for it at least."""
     for line in run("arm-none-eabi-nm", elf).splitlines():
         value, _, name = line.split(" ")
         if name == "image_stack_size":

@@ -2,8 +2,8 @@
 """usage: image_files_check.py BUILD_DIR ADDRESS [KIND...]
 
 The files of one board as programs that we did not write read them: fencepost.hex by srecord and IntelHex, the .dfu by
-dfu-suffix and dfuse-pack; and the .uf2 by its specification. All hold the bytes of fencepost.bin, from ADDRESS on, where the ELF
-file has them. KIND: which there have to be beside .bin and .hex.
+dfu-suffix and dfuse-pack. The .uf2 is read by its specification. All hold the bytes of fencepost.bin, from ADDRESS on,
+where the ELF file has them. KIND: the files that there have to be beside .bin and .hex.
 """
 
 import pathlib
@@ -82,7 +82,7 @@ def uf2_faults(file, image, address):
 
 
 def gba_faults(file, image, _address):
-    """What a console's BIOS asks of the header (GBATEK, GBA Cartridge Header), its maker's picture apart."""
+    """The header as a console's BIOS wants it (GBATEK, GBA Cartridge Header), its maker's picture apart."""
     if file.read_bytes() != image:
         yield "other bytes than in the .bin"
     if image[3] != 0xEA or image[0xB2] != 0x96 or any(image[0xB5:0xBC]) or (sum(image[0xA0:0xBE]) + 0x19) & 0xFF:

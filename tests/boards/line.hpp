@@ -25,7 +25,7 @@ class Line {
   [[nodiscard]] virtual std::size_t unread() const = 0;
   /// Bytes of the other side that wait to be taken.
   [[nodiscard]] virtual std::size_t held() const = 0;
-  /// What has come since the last call.
+  /// The bytes that came since the last call.
   std::string take();
 
   /// Bytes a second; 115200 baud at first.
@@ -40,7 +40,7 @@ class Line {
  protected:
   /// Takes bytes from the front; how many.
   virtual std::size_t put(std::string_view bytes) = 0;
-  /// What the board has sent, at most so many bytes.
+  /// The bytes that the board has sent, at most `most`.
   virtual std::string get(std::size_t most) = 0;
 
  private:

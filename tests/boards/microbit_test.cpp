@@ -64,7 +64,7 @@ TEST(Microbit, KeepsSettingsOverAReset) {
   EXPECT_TRUE(bench.obey("get robot.margin", "0.05")) << bench.said();
 }
 
-// What its drive is given, but as a .bin: the emulator takes no .hex.
+// The same as its drive is given, but as a .bin: the emulator takes no .hex.
 TEST(Microbit, StartsAsItsImageWasConfigured) {
   host::ConfigureRequest request;
   request.settings = {{"camera", "huskylens_i2c"}, {"lens", "50"}, {"alert.stop", "0.31"}};

@@ -1,5 +1,5 @@
-// The Netduino Plus 2's image in QEMU: serial lines are USART1 to 3, UART4 and 5, USART6: the
-// console is the second, the base the fourth, the camera the sixth.
+// The Netduino Plus 2's image in QEMU. Its serial lines are USART1 to 3, UART4 and 5, USART6. The console is the
+// second, the base the fourth, the camera the sixth.
 #pragma once
 
 #include "tests/boards/qemu.hpp"

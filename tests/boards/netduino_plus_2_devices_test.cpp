@@ -1,5 +1,5 @@
-// The Netduino Plus 2 with other devices: a CMUcam4 and an iRobot Create 2 on their lines; and those of the two-wire
-// bus, which the emulator does not have. Nor has it the timers' inputs: a wheel never turns in here, see
+// The Netduino Plus 2 with other devices: a CMUcam4 and an iRobot Create 2 on their lines, and those of the two-wire
+// bus. The emulator has no such bus. Nor has it the timers' inputs: a wheel never turns in here, see
 // tests/firmware/image.
 #include <gtest/gtest.h>
 
@@ -127,7 +127,7 @@ TEST(NetduinoDevices, StartsAsItsImageWasConfigured) {
 
 class NetduinoTwoWire : public ::testing::TestWithParam<std::vector<std::string>> {};
 
-// Encoders are told by their count, which stays zero.
+// Encoders report by their count, which stays zero.
 TEST_P(NetduinoTwoWire, GoesOnWithACameraBusThatHangs) {
   expect_survives_hung_camera_bus(netduino_plus_2({}, GetParam()));
 }

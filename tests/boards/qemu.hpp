@@ -1,4 +1,4 @@
-// What starts QEMU so that its time is ours.
+// Starts QEMU so that its time is ours.
 #pragma once
 
 #include <functional>
@@ -19,9 +19,9 @@ struct QemuBoard {
   std::vector<std::string> more;  ///< arguments
 };
 
-/// The command's begin: all but the lines. `control`: the socket of the line that time is told over.
+/// The command's begin: all but the lines. `control`: the socket of the line that controls time.
 std::vector<std::string> qemu_command(const QemuBoard& board, const std::string& control);
-/// What makes the machine of it; `control`: which of its lines that is.
+/// Makes the machine of it; `control`: which of its lines that is.
 std::function<std::unique_ptr<Machine>(const BoardUnderTest&)> emulated_qemu(std::size_t control);
 
 }  // namespace fencepost::test

@@ -1,4 +1,4 @@
-// What is used of QEMU's plugin API, version 1. Its package has no header for it: declared here, by its manual.
+// The used part of QEMU's plugin API, version 1. Its package has no header for it: declared here, by its manual.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """usage: record_figures.py FOLDER SIZES.csv STAGES.csv
 
-Writes what the tests of the boards have measured (FOLDER is what FENCEPOST_FIGURES was while they ran) into the tables
-that they compare with, and prints each figure that changed. Instructions are rounded up to three digits, bytes to 16:
-what the next small change may cost without an explanation. Rows are those of the tables; each has to be measured.
+Writes the figures that the tests of the boards have measured into the tables that they compare with. Prints each figure
+that changed. FOLDER is FENCEPOST_FIGURES of their run. Instructions are rounded up to three digits, bytes to 16: the
+next small change may cost that much without an explanation. Rows are those of the tables; each has to be measured.
 """
 
 import csv

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: same_bytes_check.py SOURCE WORK [--plant]
 
-The same sources make the same bytes in any folder: builds the start-up code of one board in two copies of the robot's
+The same sources make the same bytes in any folder. Builds the start-up code of one board in two copies of the robot's
 sources and compares the object files, debug information included. `toolchain/long images` does that with whole releases.
 --plant: without the compiler's flags that keep the folders out.
 """

@@ -66,7 +66,7 @@ std::size_t confirmed_in(const std::string& log, const std::string& profile) {
   return n;
 }
 
-// A wheel base and some cameras never rest: what came in after the digest was told is not in it.
+// A wheel base and some cameras never rest: input that came after the digest was reported is not in it.
 std::string log_until_digest(const std::string& said) {
   const std::size_t begin = said.find("$FPHDR");
   const std::size_t line = said.rfind('\n', said.rfind("; digest "));

@@ -1,4 +1,4 @@
-// What every board has to show: a scene goes in, its log replays to the same map and the same alerts.
+// The scene that every board has to show: a scene goes in, its log replays to the same map and the same alerts.
 #pragma once
 
 #include <string>

@@ -25,10 +25,9 @@ extern char image_stack_top;
 
 namespace {
 
-// Semihosting (Arm's specification, 7): an operation and its argument.
-constexpr int kWriteText = 0x04;
+constexpr int kWriteText = 0x04;  // operations of semihosting (Arm's specification, 7)
 constexpr int kExit = 0x18;
-constexpr std::uint32_t kApplicationExit = 0x20026;
+constexpr std::uint32_t kApplicationExit = 0x20026;  // arguments of kExit
 constexpr std::uint32_t kRunTimeError = 0x20023;
 
 void ask_host(int operation, std::uint32_t argument) {
@@ -110,7 +109,7 @@ void start() {
   }
 }
 
-// What the core begins with: its stack, where to go.
+// The first words of the image, for the core: its stack, where to go.
 struct Vectors {
   char* stack;
   void (*reset)();

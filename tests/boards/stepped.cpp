@@ -24,7 +24,7 @@ void SteppedEmulator::tell(const std::string& text) {
 
 std::string SteppedEmulator::answer(std::chrono::milliseconds patience) {
   const auto until = WallClock::now() + patience;
-  heard_ += control().take();  // it may have answered while it was told
+  heard_ += control().take();  // it may have answered during the command
   std::size_t end = heard_.find('\n');
   while (end == std::string::npos) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - WallClock::now());
@@ -68,7 +68,7 @@ bool EmulatedQemu::may_stand() {
   return blocked;
 }
 
-// What was said meanwhile can be answered in the next step.
+// Bytes that came meanwhile can be answered in the next step.
 void EmulatedQemu::pump() {
   move_lines();
   if (!running_) tell(bytes_wait() ? "f" : "g");
@@ -84,7 +84,7 @@ void EmulatedQemu::pump() {
   move_lines();
 }
 
-// It is told to end while its core is held, and does so as soon as that goes on.
+// It gets the command to end while its core is held, and ends as soon as that goes on.
 void EmulatedQemu::stop() {
   end();
   if (!running_) tell("g");

@@ -1,4 +1,4 @@
-// An emulator as a child process whose time passes only as it is told, over a line of its own.
+// An emulator as a child process whose time passes only on command, over a line of its own.
 #pragma once
 
 #include <string>

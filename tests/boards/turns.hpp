@@ -1,5 +1,5 @@
-// Which of QEMU's two threads runs: its own loop, called main here, which brings the bytes of the lines and moves the
-// clock of a sleeping core; or the core, which translates and executes. Never both.
+// Which of QEMU's two threads runs. One is its own loop, called main here, which brings the bytes of the lines and
+// moves the clock of a sleeping core. The other is the core, which translates and executes. Never both.
 #pragma once
 
 #include <pthread.h>

@@ -1,14 +1,14 @@
-// A plugin of QEMU (TCG plugin API, version 1), which is preloaded, too: emulated time passes only as a test says, and
+// A plugin of QEMU (TCG plugin API, version 1), which is preloaded, too. Emulated time passes only as a test says, and
 // a run repeats itself to the instruction.
 //
 // With `-icount shift=N,sleep=off` an instruction takes 2^N ns and sleep takes none. But QEMU's own loop, which brings
-// the bytes of the lines and moves the clock of a sleeping core, is a thread of its own, and what it does falls
-// anywhere between two instructions. Here it gets its turn only while the core is held, and until it has nothing left
-// to do. Both threads are caught where they call the C library: ppoll() and pthread_cond_wait().
+// the bytes of the lines and moves the clock of a sleeping core, is a thread of its own. Its work falls anywhere
+// between two instructions. Here it gets its turn only while the core is held, and until it has nothing left to do.
+// Both threads are caught where they call the C library: ppoll() and pthread_cond_wait().
 //
 // Arguments: control=SOCKET, tick=ADDRESS of the interrupt that comes each millisecond, shift=N. At each tick
-// `at MICROSECONDS` goes to the socket and a character comes back: `g`, go on; `f`, and bytes wait in the lines: look
-// for them when the core is about to sleep, and after the time that a byte takes on a line of 115200 baud.
+// `at MICROSECONDS` goes to the socket and a character comes back. `g`: go on. `f`: bytes wait in the lines. It then
+// looks for them when the core is about to sleep, and after a byte's time on a line of 115200 baud.
 #include <dlfcn.h>
 #include <poll.h>
 #include <sys/socket.h>

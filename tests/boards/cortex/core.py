@@ -1,7 +1,7 @@
 """A Cortex-M with a program in its flash, by Unicorn: memories, interrupts, sleep and time. What lies behind the
 peripherals' addresses is a part's own: a class that derives from Core.
 
-What a rule forbids is a sentence in `faults`. Time is that of the instructions, two cycles each.
+A broken rule becomes a sentence in `faults`. Time is that of the instructions, two cycles each.
 """
 
 import struct
@@ -187,7 +187,7 @@ class Core:
     def run(self, seconds):
         """Until so much later, or until it stops; false if it does."""
         self.until = self.seconds + seconds
-        self.next_look = self.seconds + 1e-6  # what was pending before this is none of its business
+        self.next_look = self.seconds + 1e-6  # looks at what becomes pending from now on
         while self.seconds < self.until and self.stop_reason is None:
             self.go(self.pc)
             one = self.due()
@@ -235,7 +235,7 @@ class Core:
             self.uc.reg_write(register, value)
         self.pc = back
 
-    # What a start may find.
+    # States that a start may find.
     def mask_interrupts(self):
         self.uc.reg_write(arm.UC_ARM_REG_PRIMASK, 1)
 

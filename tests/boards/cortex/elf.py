@@ -1,4 +1,4 @@
-"""What is used of an ELF file: its segments, symbols, and where it sleeps."""
+"""The parts of an ELF file that tests use: its segments, symbols, and where it sleeps."""
 
 import functools
 import pathlib

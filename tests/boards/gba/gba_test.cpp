@@ -102,7 +102,7 @@ void count_eight_objects(PoseCorrected corrected) {
   Handheld* machine = nullptr;
   Bench bench(gba(&machine));
   ASSERT_NO_FATAL_FAILURE(expect_ready_to_count(bench, stream, corrected));
-  bench.run(0.5);  // not counted: what it takes to be told all that
+  bench.run(0.5);  // not counted: the configuration
   const Stages screen = {
       {"screen", "MapView<fencepost::loop::Pipeline<fencepost::config::Small>, fencepost::mcu::gba::Screen>::turn("}};
   InstructionCounter counter(*machine, image_of("gba") + ".elf", stages_of_a_loop(screen));

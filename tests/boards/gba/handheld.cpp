@@ -41,7 +41,7 @@ std::span<std::uint8_t> memory_of(mCore* core, std::size_t region) {
 
 bool is_link_port(std::uint32_t address) { return address == LinkPort::kControl || address == LinkPort::kData; }
 
-// What the core would do by itself. One machine at a time has a link port.
+// The core's own functions for memory, which are replaced. One machine at a time has a link port.
 struct Hooked {
   decltype(ARMMemory::load16) load = nullptr;
   decltype(ARMMemory::store16) store = nullptr;

@@ -44,7 +44,7 @@ class Handheld : public Machine {
   };
   enum Key : unsigned { kA = 1, kB = 2, kSelect = 4, kStart = 8 };
 
-  /// What the work memory on the chip is filled with before the start, so that used stack can be told.
+  /// Fills the work memory on the chip before the start; used stack has other values.
   static constexpr std::uint8_t kPaint = 0xA5;
   enum class Console { kMailbox, kLinkPort };
 

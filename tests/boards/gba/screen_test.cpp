@@ -1,4 +1,4 @@
-// What the Game Boy Advance shows, and what its buttons do.
+// The Game Boy Advance's pictures and buttons.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,8 +116,8 @@ double size_of(const host::Polygon& polygon) {
   return std::max(right.x - left.x, high.y - low.y);
 }
 
-// The desk's replay of the same run has the outlines. What is known well is drawn as one, with a lighter edge, but for
-// what has less than four pixels of radius, as the can does.
+// The desk's replay of the same run has the outlines. Well-known objects are drawn as one, with a lighter edge. Those
+// of less than four pixels of radius are not; the can is one.
 TEST_F(GbaScreen, DrawsOutlinesThatAreKnownWell) {
   ASSERT_NO_FATAL_FAILURE(take_picture(recorded_scene("blocks_arc")));
   const host::ReplayOutcome run = host::replay(bench.said().substr(bench.said().find("$FPHDR")), "console", {});

@@ -1,4 +1,4 @@
-// What the program of the micro:bit v2 asks of its board, by another machine.
+// The board's side of the micro:bit v2's program, by another machine.
 #include "hal/boards/microbit_v2/board.hpp"
 
 #include "hal/mcu/cortex_m/core.hpp"

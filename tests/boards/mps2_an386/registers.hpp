@@ -35,6 +35,7 @@ inline constexpr std::uint32_t kUartSent = 1U << 0;
 inline constexpr std::uint32_t kUartReceived = 1U << 1;
 
 // The board's own registers, AN386 4.5.
+
 inline constexpr std::uint32_t kLights = kBoard + 0x00;
 inline constexpr std::uint32_t kCounter = kBoard + 0x18;
 inline constexpr std::uint32_t kCounterDivider = kBoard + 0x1C;

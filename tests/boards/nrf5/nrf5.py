@@ -415,7 +415,7 @@ class Nrf52(Nrf5):
     ERASE_SECONDS, WRITE_SECONDS = 0.085, 41e-6
     STOP = 3
     FALLS_BELOW_2V1 = 8
-    reset_pin = 18  # what is written there; None: nothing, since all was erased
+    reset_pin = 18  # contents of the configuration; None: empty, since all was erased
 
     def prepare_memories(self):
         super().prepare_memories()

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """usage: starts_test.py IMAGES TABLES [unittest's arguments]
 
-The images of both micro:bits, started from a reset and from what a debugger leaves behind, which ends a program and starts
-ours without one. Each has to come up, break no rule of its part, drive no pin that its board reserves, and hold the
-motors until it may drive. IMAGES: the folder of the presets' folders. TABLES: tests/hal/boards.
+The images of both micro:bits, started from a reset and from what a debugger leaves behind, which ends a program and
+starts ours without one. Each has to come up, break no rule of its part, and drive no pin that its board reserves. It
+holds the motors until it may drive. IMAGES: the folder of the presets' folders. TABLES: tests/hal/boards.
 """
 
 import csv
@@ -192,7 +192,7 @@ def record(body):
 
 
 class Lens:
-    """What a camera's lens makes of the place before it, px."""
+    """Projects the place before a camera to its image, px."""
 
     def __init__(self, device, focal, centre, rows):
         self.device, self.focal, self.centre, self.rows = device, focal, centre, rows

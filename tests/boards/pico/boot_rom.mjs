@@ -1,5 +1,5 @@
-// What our program uses of the boot ROM, which is not ours to copy: its table of functions, and those that change the
-// flash (RP2040 datasheet 2.8.3). They end the emulation where the part would hang.
+// The boot ROM's functions that our program uses: its table of functions, and those that change the flash (RP2040
+// datasheet 2.8.3). The ROM itself is not ours to copy. The functions end the emulation where the part would hang.
 import { FlashChip } from './flash_chip.mjs';
 
 const kTable = 0x100;
@@ -53,7 +53,7 @@ export class BootRom {
     mcu.onBreak = (number) => (mcu.core.PC < 0x4000 ? this.run(kCodes[number]) : this.fault());
   }
 
-  /** What rp2040js leaves out: an instruction that cannot be ends in a hard fault (Armv6-M B1.5). */
+  /** rp2040js leaves this out: an instruction that cannot be ends in a hard fault (Armv6-M B1.5). */
   fault() {
     const { core } = this.mcu;
     core.waiting = false;

@@ -86,7 +86,7 @@ TEST(PicoDevice, IsChosenAtOnceAndKept) {
       << bench.said();
 }
 
-// What the drive is given, on a desk without a compiler.
+// The same as the drive is given, on a desk without a compiler.
 TEST(PicoDevice, StartsAsItsImageWasConfigured) {
   host::ConfigureRequest request;
   request.settings = {{"camera", "pixy2.1_i2c"}, {"odometry", "create2"}, {"drive", "100"}, {"alert.stop", "0.31"}};

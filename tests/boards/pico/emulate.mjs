@@ -93,9 +93,8 @@ const commands = {
   }) + '\n'),
 };
 
-// Two channels a wheel, a quarter of a period apart; A leads forwards. The XRP's have their own pins.
-const kWheels = board === 'xrp' ? [[4, 5], [13, 12]] : [[10, 11], [12, 13]];
-const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]];
+const kWheels = board === 'xrp' ? [[4, 5], [13, 12]] : [[10, 11], [12, 13]]; // pins of channels A and B
+const kLevels = [[0, 0], [1, 0], [1, 1], [0, 1]]; // a quarter of a period each; A leads forwards
 const quarters = [0, 0];
 function turn(counts, microseconds) {
   while (counts.some((count) => count !== 0)) {

@@ -17,7 +17,7 @@ EmulatedPico::EmulatedPico(const BoardUnderTest& board) : SteppedEmulator(board,
 void EmulatedPico::pump() {
   move_lines();
   set_time(ask(kMoment));
-  move_lines();  // what was said meanwhile can be answered in the next moment
+  move_lines();  // the next moment can answer what came meanwhile
 }
 
 void EmulatedPico::command(const std::string& line) { tell(line + "\n"); }

@@ -1,4 +1,4 @@
-// An emulated Pico: emulate.mjs as a child process, whose time passes only as it is told.
+// An emulated Pico: emulate.mjs as a child process, whose time passes only on command.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the Pico's part does besides: settings in flash, the watchdog, panics.
+// More functions of the Pico's part: settings in flash, the watchdog, panics.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -69,7 +69,7 @@ export class Pico {
     this.boot();
   }
 
-  /** What the boot ROM does. */
+  /** Starts as the boot ROM does. */
   boot() {
     const { mcu } = this;
     mcu.sram.set(mcu.flash.subarray(0, 256), kBoot2 - 0x20000000);

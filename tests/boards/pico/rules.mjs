@@ -1,4 +1,6 @@
-// What the RP2040 forbids and an emulator bears: a program that does it ends the run. Sections of the RP2040 datasheet.
+// Rules that the RP2040 has and an emulator does not enforce: a program that breaks one ends the run. Sections are those
+// of the RP2040 datasheet.
+
 const kReset = 0x0;
 const kNormal = 0;
 const kClear = 3;
@@ -18,6 +20,7 @@ const kTimerInterrupt = 16;
 const kI2cInterrupt = 23;
 
 // Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
+
 const kGated = {
   0x40044: 3, 0x40014: 5, 0x4001c: 8, 0x40028: 12, 0x4002c: 13, 0x40050: 14, 0x40054: 21, 0x40034: 22, 0x40038: 23, 0x50110: 24,
 };

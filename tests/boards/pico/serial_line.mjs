@@ -1,6 +1,7 @@
-// One of the part's UARTs at its own pace, which rp2040js leaves out: bytes come and go one at a time, the queue for
-// sending has 32 bytes, and what comes while the other queue is full is lost. Interrupts come as of the part: when a queue
-// is half full or half empty, or a byte has waited for 32 bits (RP2040 datasheet 4.2.6).
+// One of the part's UARTs at its own pace, which rp2040js leaves out. Bytes come and go one at a time. The queue
+// for sending has 32 bytes; bytes that come while the other queue is full are lost. An interrupt comes when a queue is
+// half full or half empty, or a byte has waited for 32 bits (RP2040 datasheet 4.2.6).
+
 const kQueue = 32;
 const kReceiveInterrupt = 1 << 4;
 const kReceiveTimeout = 1 << 6;

@@ -1,5 +1,5 @@
-// A camera on the two-wire bus that takes and gives a stream of bytes: what it is asked goes to the socket, what it says
-// comes from there. A device without an answer sends zeros.
+// A camera on the two-wire bus that takes and gives a stream of bytes. Bytes from the board go to the socket, the
+// answers come from there. A device without an answer sends zeros.
 const kInterruptMask = 0x30;
 const kByteNanos = 90e3; // nine bits at 100 kHz
 

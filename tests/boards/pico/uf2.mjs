@@ -1,4 +1,5 @@
 // A UF2 file, as the boot ROM's disk takes it, into the flash; and the check the ROM makes before it starts it.
+
 const kFirst = 0x0a324655;
 const kSecond = 0x9e5d5157;
 const kLast = 0x0ab16f30;

@@ -13,6 +13,7 @@ const kDataEndpoint = 2;
 const kBrokenPipe = -32; // -EPIPE: a stall, as Linux has it
 const kAddress = 5;
 // Requests (USB 2.0, 9.4).
+
 const kClearFeature = 1;
 const kSetAddress = 5;
 const kSetConfiguration = 9;
@@ -24,7 +25,7 @@ export class UsbPort extends UsbWire {
   constructor(mcu, answer) {
     super(mcu);
     this.answer = answer;
-    this.plugged = null; // what to call when the device is there
+    this.plugged = null; // called when the device is there
     this.leave();
     this.usb.onEndpointWrite = (endpoint, bytes) => (endpoint === 0 ? this.controlCame(bytes) : this.dataCame(bytes));
     this.usb.onEndpointRead = (endpoint, size) => (endpoint === 0 ? this.controlAsked() : (this.asked = Math.min(size, kPacket)));

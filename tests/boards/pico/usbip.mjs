@@ -1,10 +1,10 @@
 // usage: node usbip.mjs IMAGE.uf2 SOCKET
 //
-// A Raspberry Pi Pico in rp2040js as a USB device for a Linux kernel: the server side of USB/IP (Documentation/usb/
-// usbip_protocol.rst of the Linux kernel) on a Unix socket that it listens at, for one client. Its time is that of the
-// clock on the wall, or slower. Between the protocol's messages go words of ours, a header of the same size and a text:
-// `plug`, `unplug`, `power`, `fault`, `halt in|out`; each is answered by itself when it is done. `gone` comes when the part was reset,
-// `loader` when the program has started the ROM's drive.
+// A Raspberry Pi Pico in rp2040js as a USB device for a Linux kernel. It is the server side of USB/IP and listens on a
+// Unix socket, for one client. Source: Documentation/usb/usbip_protocol.rst of the Linux kernel. Its time is that of
+// the clock on the wall, or slower. Between the protocol's messages go words of ours, a header of the same size and a
+// text. They are `plug`, `unplug`, `power`, `fault`, `halt in|out`; each is answered by itself when it is done. `gone`
+// comes when the part was reset, `loader` when the program has started the ROM's drive.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { Pico } from './pico.mjs';

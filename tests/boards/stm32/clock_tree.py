@@ -49,7 +49,7 @@ class ClockTree:
         return self.bus_hz(bus) * (2 if self.bus_hz(bus) != self.core_hz() else 1)
 
     def crystal_for_clock_hz(self):
-        """What timer 11 may look at: the crystal divided by 2 to 31."""
+        """The clock that timer 11 may measure: the crystal divided by 2 to 31."""
         divider = self.words[CFGR] >> 16 & 0x1F
         return self.crystal_hz / divider if self.crystal_hz and divider > 1 else 0
 

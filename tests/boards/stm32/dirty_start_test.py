@@ -2,7 +2,7 @@
 """usage: dirty_start_test.py BUILD_DIR TABLES [unittest's arguments]
 
 The images of the boards with an STM32F405, started from what boot loaders, debuggers and other programs leave behind.
-Each has to come up at the right speed, by its own vector table, without breaking a rule of the part on its way, and
+Each has to come up at the right speed, by its own vector table, without breaking a rule of the part on its way. It
 drives no pin that its board reserves. TABLES: tests/hal/boards.
 """
 
