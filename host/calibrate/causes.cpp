@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kSure = 3;           ///< sigmas
 constexpr double kWidthError = 0.05;  ///< of a width in FPSIG (share/doc/stream.md)
-/// Fewer objects say nothing about others: their shapes may be what does not fit, and looks like a pad.
+/// Minimum number of objects for a pad, and for conclusions about others: shapes that do not fit look like a pad, too.
 constexpr std::size_t kFewObjects = 4;
 
 using Matrix = std::vector<std::vector<double>>;
@@ -448,7 +448,7 @@ Causes find_causes(DriveLog log) {
   found.sideways = moves_sideways(started.problem.odometry);
   if (found.sideways) return found;
   found.is_part = keep_most_seen(started) || found.is_part;
-  // A fault may be larger than what a user who calibrates is thought to be off.
+  // A fault may be larger than the priors for a user who calibrates.
   started.problem.camera_sigma[kHeight] = 0.03;      // m
   started.problem.wheel_sigma = {0.05, 0.15, 0.15};  // shares, rad/m
   Search::add_widths(log, started);

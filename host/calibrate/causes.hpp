@@ -30,12 +30,12 @@ struct Causes {
   bool is_part = false;   ///< more was seen than is judged
   double moving = 0;      ///< share of the boxes that are of things that move
   bool sideways = false;  ///< the robot moves so, and nothing is judged
-  bool several = false;   ///< one alone explains too little: the model may be what is wrong, and none is named
+  bool several = false;   ///< one alone explains too little: the model may be wrong, and none is named
 };
 
 // A fault lasts: the beginning shows it, and a minute more only costs.
 inline constexpr double kJudgedSeconds = 60;
-inline constexpr double kMaxMoving = 0.1;          ///< with more, nothing is judged: what else moves is not known
+inline constexpr double kMaxMoving = 0.1;  ///< of `moving`; with more nothing is judged, as others may move, too
 inline constexpr std::size_t kJudgedObjects = 12;  ///< those seen most
 
 /// The cause that explains what a log contradicts. It is off by more than three sigmas, and by more than maps notice.

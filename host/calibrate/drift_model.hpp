@@ -1,4 +1,4 @@
-// How far odometry strays by chance between two nodes; what it does evenly is estimated (WheelParameter).
+// Random drift of odometry between two nodes; its systematic errors are estimated (WheelParameter).
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ constexpr double kHeadingWalkByTurn = 0.004;    ///< rad / sqrt(rad)
 constexpr double kPositionResolution = 0.0002;  ///< m
 constexpr double kHeadingResolution = 0.0003;   ///< rad
 
-/// Standard deviations, `drift` (of turns) and `walk` (of ways) times those of good wheels, of the motion from `a` to
-/// `b`. Noise that each sample has by itself is no part: what one node is off by it, the next motion takes back.
+/// Standard deviations of the motion from `a` to `b`: `drift` (of turns) and `walk` (of ways) times those of good
+/// wheels. White noise of single samples is no part: the next motion takes a node's error back.
 inline PoseNoise stray(const TrackPose& a, const TrackPose& b, double drift, double walk) {
   const double way = std::abs(b.way - a.way);
   const double turn = std::abs(b.heading - a.heading);

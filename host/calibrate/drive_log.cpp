@@ -138,7 +138,8 @@ class Watcher final : public RunObserver {
     return seen;
   }
 
-  /// Where an end is missing, so may be the nearest point of the footprint: what is left of it has its foot farther up.
+  /// Where an end is missing, the nearest point of the footprint may be missing too: the foot of the rest is farther
+  /// up.
   static void leave_out_cut(SeenBox& seen) {
     if (seen.left && seen.right) return;
     seen.foot.reset();

@@ -14,7 +14,7 @@
 
 namespace fencepost::host {
 
-/// An object's box, continuous edges in px. What is cut off by the border or by a nearer box is missing.
+/// An object's box, continuous edges in px. An edge cut off by the border or by a nearer box is missing.
 struct SeenBox {
   std::uint32_t object = 0;  ///< the run's own id
   std::uint8_t signature = 0;

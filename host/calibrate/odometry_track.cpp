@@ -94,7 +94,7 @@ void OdometryTrack::add_up() {
     const double step = (b.x - a.x) * std::cos(middle) + (b.y - a.y) * std::sin(middle);
     way_.push_back(way_.back() + step);
   }
-  // In steps of a second: what trembles does not drive.
+  // In steps of a second, so that jitter does not count as driving.
   for (double t = begin(); t < end(); t += 1) {
     const TrackPose a = at(t);
     const TrackPose b = at(std::min(t + 1, end()));

@@ -65,7 +65,7 @@ void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
 }
 
 void join_same(StartedProblem& started) {
-  constexpr double kPlay = 0.05;  // m, beyond both radii: what a rough fit may be off
+  constexpr double kPlay = 0.05;  // m beyond both radii: error of a rough fit
   std::vector<std::set<double>> times = times_of(started);
   const std::vector<ObjectValues>& objects = started.estimate.objects;
   std::vector<std::size_t> place = itself(objects.size());

@@ -9,7 +9,7 @@
 
 namespace fencepost::host {
 
-/// Predicted minus seen, px. What was not seen is missing.
+/// Predicted minus seen, px. An edge that was not seen is missing.
 struct SightingResidual {
   std::optional<double> left{};
   std::optional<double> right{};

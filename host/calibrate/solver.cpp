@@ -46,7 +46,7 @@ struct Seen {
   }
 };
 
-/// Both edges: their middle and their distance have errors of their own. What shifts the robot shifts both.
+/// Both edges: their middle and their distance have errors of their own. An error of the robot's pose shifts both.
 struct BothEdges : Seen {
   template <class T>
   bool operator()(const T* camera, const T* wheels, const T* node, const T* object, const T* kind, T* residuals) const {
@@ -141,8 +141,8 @@ struct Apart {
 /// Networks were seen to pad by 7 px a side; a width that somebody measured is seldom off by half.
 constexpr KindValues kKindSigma = {10, 0.4};
 
-/// An object is convex and not far from round: a square's harmonics are 2 r / (m^2 - 1), every other one. Its place and
-/// its top are hardly known, but that keeps what was seen once from running away.
+/// An object is convex and not far from round: a square's harmonics are 2 r / (m^2 - 1), every other one. The prior of
+/// place and top is weak, but keeps an object seen once from running away.
 Prior<kObjectParameters> object_prior(const ObjectValues& start, double radius) {
   constexpr double kUnround = 0.8;
   Prior<kObjectParameters> prior;

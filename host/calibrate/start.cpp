@@ -200,7 +200,7 @@ void start_estimate(const DriveLog& log, const std::vector<PoseResult>& path, St
   for (const double t : problem.node_times) {
     PoseValues node = node_at(problem.odometry, path, t);
     if (!started.estimate.nodes.empty()) {
-      // No heading farther than half a turn from what odometry makes of the last one.
+      // No heading is farther than half a turn from the one that odometry gives from the last node.
       const double last_t = problem.node_times[started.estimate.nodes.size() - 1];
       const double expected = started.estimate.nodes.back()[kPoseHeading] + problem.odometry.at(t).heading -
                               problem.odometry.at(last_t).heading;

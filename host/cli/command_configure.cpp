@@ -43,7 +43,7 @@ ConfigureRequest request_of(const Request& request) {
   return wanted;
 }
 
-// `standard output` is written as what came in.
+// Standard output gets the format of the input.
 ImageFormat format_of(const Request& request, const ConfiguredImage& image) {
   const bool to_output = is_standard_output(request.output);
   const auto format = image_format(to_output ? request.image : request.output);

@@ -38,7 +38,7 @@ std::vector<sensor::CameraIntrinsics> makers() {
   return known;
 }
 
-/// `beginning`: what its distances are judged by.
+/// `beginning`: the log's first part, by which its distances are judged.
 LogSurvey survey(const std::string& path, std::string* beginning = nullptr) {
   constexpr std::size_t kMax = std::size_t{8} << 20U;  // the minute that is judged, on any line
   LogInput input(path);

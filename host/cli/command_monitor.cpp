@@ -202,7 +202,7 @@ std::unique_ptr<BytePort> open_monitored(const MonitorRequest& request) {
   }
 }
 
-/// The log that the robot's loop writes of these inputs: what it believed, whatever the log itself holds.
+/// The log that the robot's loop writes of these inputs: its beliefs, even if the log itself has none.
 std::string own_log(const MonitorRequest& request) {
   ReplayOptions options = request.options;
   if (!request.camera.empty()) options.camera = read_camera(request.camera);
@@ -221,7 +221,7 @@ std::string own_log(const MonitorRequest& request) {
   return log;
 }
 
-/// Until a key, a signal, or the source's end; `tick(now)` shows what there is.
+/// Runs until a key, a signal, or the source's end; `tick(now)` draws the screen.
 template <class Tick>
 void loop(Source& source, const StopSignals& signals, bool keys, Tick tick) {
   const linux::MonotonicClock clock;

@@ -180,7 +180,7 @@ Exit exit_of(const RunSummary& summary) {
   return interrupted ? Exit::kInterrupted : Exit::kDone;
 }
 
-/// For what browsers have not got yet when the run ends.
+/// Time for browsers to get the rest when the run ends.
 constexpr std::chrono::milliseconds kLastLook{2'000};
 
 Exit run(const RunRequest& request) {

@@ -26,7 +26,7 @@ struct TrainRequest {
   std::string output = "-";
 };
 
-/// A box and what is painted so.
+/// A box and the name of the colour in it.
 struct NamedBox {
   TrainingBox box;
   std::string name;

@@ -1,4 +1,4 @@
-// `fencepost doctor` on ports: what is there, and how a device is.
+// `fencepost doctor` on ports: the list of ports, and a device's state.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ struct PortExamination {
   Exit exit = Exit::kDone;
 };
 
-/// A device's node, or what would be one, rather than a log.
+/// A path of a device, even if none is there, rather than of a log.
 bool names_port(const std::string& subject);
 
 /// `port`: ask who is there; empty: list them all, or ask the devices that the options name. errors: Failure

@@ -1,4 +1,4 @@
-// `fencepost emulate`: from what was asked to devices that run.
+// `fencepost emulate`: from a request to devices that run.
 #pragma once
 
 #include <optional>

@@ -91,7 +91,7 @@ void refuse_input(const std::string& path, const fs::path& target) {
   throw Failure(Exit::kUsage, path + " is also the input, and would be replaced; choose another name with -o");
 }
 
-/// "/dev/fd/7" is 7: opened by name, a file would be written from its start, over what was appended to it.
+/// "/dev/fd/7" is 7. Opened by name, the file would be written from its start, over bytes that were appended.
 std::optional<int> named_descriptor(const std::string& path) {
   if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -122,13 +122,13 @@ fs::path temporary_beside(const fs::path& target) {
   return target.parent_path() / (".fencepost" + std::to_string(::getpid()) + ".part");
 }
 
-/// 0, or the error. What cannot be brought to a disk, such as a file in memory, need not be.
+/// 0, or the error. A file that cannot be brought to a disk, such as one in memory, need not be.
 int sync_all(int fd) {
   if (::fsync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == EROFS) return 0;
   return errno;
 }
 
-/// 0, or the error. What was there is replaced.
+/// 0, or the error. Replaces a file of that name.
 int renamed(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);

@@ -12,11 +12,11 @@ namespace fencepost::host::cli {
 /// For messages: the path, or "standard input".
 std::string input_name(const std::string& path);
 
-/// The bytes of a file, at most `most`; of one that gzip packed, what is in it, at most kMaxWhole. errors: Failure
-/// (kUnreadable): missing, directory, not allowed, read error, longer
+/// The bytes of a file, at most `most`; a gzip file's content, at most kMaxWhole. errors: Failure (kUnreadable):
+/// missing, directory, not allowed, read error, longer
 std::string read_input(const std::string& path, std::size_t most = kMaxWhole);
 
-/// "-", or what names standard output otherwise: /dev/stdout, /dev/fd/1, /proc/self/fd/1.
+/// "-", or another name of standard output: /dev/stdout, /dev/fd/1, /proc/self/fd/1.
 bool is_standard_output(const std::string& path);
 
 /// From now on that file is an input, which no result may replace.

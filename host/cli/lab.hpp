@@ -44,7 +44,7 @@ struct CalibrateRequest {
 };
 Exit run_calibrate(const CalibrateRequest& request);
 
-/// Of a data set: its folder or file, and what is taken of it.
+/// A data set: its folder or file, and the part to use.
 struct SetRequest {
   std::string source;
   std::string truth;
@@ -124,8 +124,8 @@ bool has_lab();
 /// Judges the distances that a log's boxes have. `log`: its name on a command line.
 std::vector<doctor::Finding> distance_findings(std::string_view bytes, const std::string& log);
 
-/// Before any input is read for `what`, which only the second program can do: the first one ends here. What follows is
-/// for after it.
+/// To be called before any input is read for `what`, which only the second program can do. The first one ends here, and
+/// the rest runs in the second.
 void need_lab(const char* what);
 /// errors: Failure
 SmoothEvaluation smooth_log(const std::string& log, const Scene& scene, const EvaluateOptions& options);

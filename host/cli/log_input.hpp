@@ -47,7 +47,7 @@ class LogInput {
 /// beginning alone, which is counted as the whole would be. errors: Failure (kUnreadable): as LogInput, and
 /// one that is longer
 std::string read_log(const std::string& path);
-/// The same for what may be a scene: no line is cut.
+/// The same for a file that may be a scene: no line is cut.
 std::string read_log_or_scene(const std::string& path);
 /// Before work begins on a log that is read as a whole. Of a pipe nothing is known. errors: as read_log
 void expect_whole_log(const std::string& path);

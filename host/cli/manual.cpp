@@ -91,7 +91,7 @@ class Page {
 
   std::string out_;
   std::string section_;
-  bool table_ = false;  ///< names and what they are
+  bool table_ = false;  ///< names and their meanings
   bool table_ended_ = false;
   bool as_is_ = false;
   bool text_begun_ = false;

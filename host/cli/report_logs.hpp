@@ -21,7 +21,7 @@ struct ReportInputs {
   bool whole = false;  ///< all of each log, however long
 };
 
-/// A log, and what its replay found.
+/// A log, and the result of its replay.
 struct ReportedLog {
   GivenLog given;
   ReplayOutcome outcome;
@@ -29,8 +29,8 @@ struct ReportedLog {
   std::optional<Failure> failure;  ///< why nothing of it could be read
 };
 
-/// In the order given. Short logs are whole; what they leave of the room is the others'. Memory does not grow with a
-/// log. One that cannot be read, or with `whole` is longer than a browser can take, has its failure.
+/// In the order given. Short logs are whole; the others share the rest of the room. Memory does not grow with a log.
+/// One that cannot be read, or with `whole` is longer than a browser can take, has its failure.
 std::vector<ReportedLog> read_report_logs(const ReportInputs& inputs, std::size_t page_size);
 
 /// "logs/run.log" is "run.log".

@@ -7,8 +7,8 @@
 
 namespace fencepost::host::cli {
 
-// In rising order, since open(2) gives the lowest free number. The wrong direction is what makes their use fail: what
-// was not read or written must not look as if it had been.
+// In rising order, since open(2) gives the lowest free number. They are opened in the wrong direction, so that their
+// use fails: lost input or output must not look like success.
 void hold_standard_streams() {
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(fd, F_GETFD) >= 0) continue;

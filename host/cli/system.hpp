@@ -11,7 +11,7 @@ namespace fencepost::host::cli {
 /// Where an installed program has its recordings and pages; empty: the system does not say where the program is.
 std::filesystem::path installed_share();
 
-/// A serial port or what would be one, rather than a file: /dev/ttyUSB0, COM3.
+/// A path of a serial port, even if none is there, rather than of a file: /dev/ttyUSB0, COM3.
 bool names_device(const std::string& path);
 
 /// The same for each name of one file.

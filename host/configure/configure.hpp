@@ -60,7 +60,7 @@ struct ConfigureProblem {
 /// errors: as configure() has them, of a file that is no image
 base::Result<ImageChoices, std::string> choices(const ImageMemory& image);
 
-/// Does it say of itself what is needed?
+/// The image has the description of itself that is needed.
 bool can_be_configured(const ImageMemory& image);
 
 /// Settings that the file had are gone. `image`: as read_image() has it.

@@ -10,7 +10,7 @@ namespace fencepost::host {
 
 bool looks_like_dfu(std::string_view file);
 
-/// From the first byte that is known to the last one, what is between them erased.
+/// From the first known byte to the last one; gaps are erased.
 std::string write_dfu(const ImageMemory& memory);
 
 }  // namespace fencepost::host

@@ -48,8 +48,7 @@ enum class ImageFormat : std::uint8_t { kBin, kHex, kUf2, kDfu, kSave };
 /// By the end of a file's name: .bin and .gba, .hex, .uf2, .dfu, .sav.
 std::optional<ImageFormat> image_format(std::string_view name);
 
-/// By what is in the file. A .bin has no addresses: it begins at 0.
-/// errors: what is wrong with it, and what to give instead
+/// Recognises the format by the content. A .bin has no addresses: it begins at 0. errors: the fault, and the remedy
 base::Result<ImageMemory, std::string> read_image(std::string_view file);
 /// `memory` of the RP2040 alone as kUf2, of an STM32 alone as kDfu.
 std::string write_image(const ImageMemory& memory, ImageFormat format);

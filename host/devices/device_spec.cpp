@@ -96,7 +96,7 @@ class Parser {
     return false;
   }
 
-  // A name may have a colon: what is behind it is then no place.
+  // A name may have a colon; the part behind it is then no place.
   bool find_row(const std::string& kind, std::string& place) {
     const std::size_t colon = place.find(':');
     const std::string longer = kind + ":" + place.substr(0, colon);

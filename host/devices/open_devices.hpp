@@ -21,7 +21,7 @@ std::variant<host::Devices, host::DeviceFailure> open_devices(const DeviceSpec& 
 /// Resolution, field of view and latency as the camera's maker says them; empty for the console.
 std::optional<sensor::CameraIntrinsics> profile_of(const DeviceSpec& camera);
 
-/// The same of a row with its options as delivered; empty for what is no camera.
+/// The same of a row with its options as delivered; empty unless it is a camera.
 std::optional<sensor::CameraIntrinsics> nominal_camera(const Row& row);
 
 /// Wording about a device for messages when its link's state changes.

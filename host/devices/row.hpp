@@ -104,7 +104,7 @@ struct OdometryDriver {
 struct Live {
   std::vector<PlaceKind> places;
   std::vector<Option> options;
-  Given<std::string> unready;  ///< why it may answer and not work, or what to try then
+  Given<std::string> unready;  ///< why it may answer and not work, or the remedy
   std::variant<CameraDriver, OdometryDriver> driver;
 };
 
@@ -126,7 +126,8 @@ struct UsbIds {
   std::uint16_t product = 0;
 };
 
-/// With what a device on a link was tried, beside the tests of its decoder. What is named exists: a test looks for it.
+/// A peer that a device was tested with on a link, beside the tests of its decoder. Its name exists: a test looks for
+/// it.
 struct Tried {
   PlaceKind link = PlaceKind::kTty;  ///< kTty includes kTcp
   /// Where `emulate` does not reach: a test ("Suite.Name", or a hostile hour's "KIND:LINK") with an emulator there.

@@ -31,7 +31,7 @@ struct Sign {
   std::string operator()(const AnyText& /*values*/) const { return fmt::format("{}=TEXT", *option.name); }
 };
 
-/// "address=0x54": what it is without being given, the first of several words.
+/// "address=0x54": the option with its default, or the first of several words.
 std::string sign(const Option& option) { return std::visit(Sign{option}, *option.values); }
 
 std::string shown_place(PlaceKind place, Use use) {

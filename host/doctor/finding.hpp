@@ -27,7 +27,7 @@ constexpr std::string_view name(Severity severity) {
   return "note";
 }
 
-/// All that a finding can be called, stable; a test provokes each, and share/doc/doctor.md says what it means.
+/// All codes of findings, stable. A test provokes each, and share/doc/doctor.md explains it.
 inline constexpr std::string_view kCodes[] = {
     // ports
     "no_port", "no_permission", "busy", "answers", "cannot_open", "wrong_baud", "silent", "unready", "nothing_seen",

@@ -21,7 +21,7 @@ constexpr int kMetreDecimals = 4;
 constexpr int kDegreeDecimals = 9;  ///< a tenth of a millimetre
 constexpr double kRadians = std::numbers::pi / 180;
 
-/// From metres of the map to what the file has.
+/// From metres of the map to the file's coordinates.
 class Projection {
  public:
   explicit Projection(const std::optional<Anchor>& anchor) : anchor_(anchor) {

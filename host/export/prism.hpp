@@ -19,7 +19,8 @@ struct Mesh {
 
 Mesh extruded(const MultiPolygon& areas, double low, double high);
 
-/// From where to where an object reaches, m; what is known of no height, or of less than a centimetre, is one high.
+/// The heights between which an object reaches, m. Unknown heights, and those of less than a centimetre, count as a
+/// centimetre.
 struct Band {
   double low = 0;
   double high = 0;

@@ -30,7 +30,7 @@ void RunInputs::accept(const record::Setting& setting) {
 
 namespace {
 
-/// Of a long run they are what fills memory.
+/// Drops the data that would fill memory in a long run.
 void leave_out_unused(ObjectResult& object, bool outlines) {
   const ModelResult* shown = outlines ? outline_of(object, "") : nullptr;
   for (ModelResult& model : object.models) {

@@ -1,4 +1,4 @@
-// One run as every export takes it: what the log holds and what its replay makes of it.
+// One run as every export takes it: the log's data and its replay's results.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Measures of planar areas: what two cover, whether an outline is one, triangles, distances. No library behind it.
+// Measures of planar areas: common area of two, validity of outlines, triangles, distances. No library behind it.
 #pragma once
 
 #include <array>

@@ -31,7 +31,7 @@ std::optional<double> number_in(std::string_view text);
 /// The number behind `key` in "x: 12 y: 34" or "x=12,y=34"; the key is a whole word.
 std::optional<double> value_after(std::string_view line, std::string_view key);
 
-/// For messages: what was read, in print and not too much of it.
+/// The text for messages: printable, and not too much of it.
 std::string quoted(std::string_view text);
 
 /// Separated by blanks.

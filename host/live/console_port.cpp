@@ -62,7 +62,7 @@ std::optional<std::uint32_t> baud_in(std::string_view option) {
 
 constexpr std::string_view kListen = "tcp-listen:";
 
-/// "no such place", or what is wrong with the port of a TCP place.
+/// "no such place", or the fault in the port of a TCP place.
 std::string_view fault_of(std::string_view text) {
   const std::size_t colon = text.rfind(':');
   const std::string_view port = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
@@ -234,7 +234,7 @@ std::unique_ptr<PtyConsole> PtyConsole::open() {
   Descriptor slave(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   termios line{};
   if (!slave.open() || ::tcgetattr(slave.get(), &line) != 0) throw fail();
-  ::cfmakeraw(&line);  // no echo: what is said would come back as commands
+  ::cfmakeraw(&line);  // no echo: output would come back as commands
   if (::tcsetattr(slave.get(), TCSANOW, &line) != 0) throw fail();
   return std::unique_ptr<PtyConsole>(new PtyConsole(std::move(master), std::move(slave), name.data()));
 }

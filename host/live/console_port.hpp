@@ -44,7 +44,7 @@ class ConsolePort : public BytePort {
   [[nodiscard]] virtual bool input_waits() const { return false; }
   /// The input has ended.
   [[nodiscard]] virtual bool ended() const { return false; }
-  /// Adds what wakes the loop when something was typed, and when there is room again for what waits.
+  /// Adds the descriptors that wake the loop: at input, and when there is room again for waiting output.
   virtual void watch(linux::WaitSet& set, bool output_waits) const;
 };
 

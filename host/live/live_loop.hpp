@@ -20,7 +20,8 @@ class LiveLoop {
  public:
   virtual ~LiveLoop() = default;
 
-  /// The first run. `robot`'s signatures and settings; what does not fit the profile is answered, a sentence each.
+  /// Starts the first run with `robot`'s signatures and settings. Answers those that do not fit the profile, a sentence
+  /// each.
   virtual std::vector<std::string> start(const record::Header& header,
                                          const std::optional<sensor::CameraIntrinsics>& intrinsics,
                                          const RobotFile& robot) = 0;
@@ -29,7 +30,7 @@ class LiveLoop {
   virtual bool step(base::Time now) = 0;
   /// The stream has ended.
   virtual void finish() = 0;
-  /// Hands what waits to the console, as far as it takes it now.
+  /// Hands waiting output to the console, as far as it takes it now.
   virtual void flush() = 0;
 
   /// The messages about links of the last iteration, a sentence each, whatever the console shows.

@@ -1,4 +1,4 @@
-// From the loop's journal to the log on disk: what is accepted, what is abandoned, and the messages about it.
+// Brings the loop's journal to the log on disk: accepts, abandons, and reports it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Buses chosen at run time, open or waiting for their device: what the drivers are given on a Linux brain.
+// Buses chosen at run time, open or waiting for their device: the drivers' buses on a Linux brain.
 #pragma once
 
 #include <cstdint>

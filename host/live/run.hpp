@@ -59,8 +59,8 @@ struct RunSummary {
   std::string log;             ///< its name; empty without
   std::uint64_t log_bytes = 0;
 
-  /// "12.3 s: 617 frames, ...", what stalled it if anything did, and "digest 0123456789abcdef, log run.log (...)": a
-  /// line each.
+  /// "12.3 s: 617 frames, ...", the cause of a stall if there was any, and "digest 0123456789abcdef, log run.log
+  /// (...)": a line each.
   [[nodiscard]] std::string sentence() const;
 };
 

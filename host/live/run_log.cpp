@@ -29,7 +29,7 @@ linux::Opened<RunLog> RunLog::open(const RunLogSettings& settings, base::Time no
 }
 
 // In portions as large as possible: some disks take more than a second for each. Where there are parts, a line of the
-// calibration ends one. So a part that begins within a portion begins with what was in force there.
+// calibration ends one. So a part that begins within a portion begins with the calibration in force there.
 RunLog::Fault RunLog::write(std::string_view lines, base::Time now) {
   std::size_t end = 0;
   while (parts_ && end < lines.size()) {

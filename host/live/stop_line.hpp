@@ -46,7 +46,7 @@ class StopLine final : public AlertOutput {
   void send(bool may_move);
   void note(int error);
 
-  linux::Descriptor socket_;  ///< to the process: what may be done. From it: errors
+  linux::Descriptor socket_;  ///< to the process: go or stop. From it: errors
   int process_;
   std::string name_;
   std::optional<bool> sent_;

@@ -1,5 +1,5 @@
-// Which region of a real image is the rendered landmark, with what confidence, and whether it is right (paper Fig. 9,
-// 12).
+// Finds the region of a real image that is the rendered landmark, with its confidence, and whether it is right (paper
+// Fig. 9, 12).
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ class Carving {
  public:
   static constexpr std::string_view kName = "carving";
 
-  /// Around a guessed place until there is an estimate: what the first wedges leave is known before any distance is.
+  /// Around a guessed place until there is an estimate: the first wedges can be carved before any distance is known.
   void start(const Sighting& /*first*/, MapPoint /*origin*/) {
     pending_.clear();
     placed_ = false;

@@ -1,5 +1,5 @@
-// A cyclic band solved in one go: what the steps of CyclicBandOf do row by row, to the same bits. The two rows that
-// each one changes stay in registers, and what no other row waits for is done beside it.
+// A cyclic band solved in one go, to the same bits as CyclicBandOf, which does it row by row. The two rows that each
+// row changes stay in registers. Work that no other row waits for is done beside it.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct BandFactors {
   std::array<Number, kRing> last;
 };
 
-/// A row on its way: what the ones before it have left of it.
+/// A row during elimination.
 template <class Number>
 struct BandRow {
   Number diagonal;

@@ -28,7 +28,7 @@ bool meet(const Vec2& p, const Vec2& d, const Vec2& q, const Vec2& e, float leas
   return post.squared_norm() < kPostFarthest * kPostFarthest;
 }
 
-// One or two vertices, and what a further point makes of them.
+// Adds a point to a hull of at most two vertices.
 std::size_t grow_line(std::span<Vec2> v, std::size_t size, const Vec2& point) {
   if (size == 0) {
     v[0] = point;

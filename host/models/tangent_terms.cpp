@@ -314,7 +314,7 @@ void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Wi
   widen(tangents.columns, kMaxTangents, widening, sigmas);
   weigh<false>(tangents.columns, kMaxTangents, sigmas, terms);
 
-  // Of each tangent: what it adds at the beginning of its sector, and at the end.
+  // Each tangent's terms at the beginning of its sector, and at the end.
   struct Parts {
     TangentRow diagonal;
     TangentRow rhs;

@@ -28,7 +28,7 @@ PictureView raised_view(const Tour& tour, std::size_t frame) {
   return view;
 }
 
-/// Blocks without background: what the models are of.
+/// Blocks without background: the modelled ones.
 std::vector<Solid> true_blocks(const Tour& tour, std::size_t blocks) {
   std::vector<Solid> world = true_world(tour);
   world.resize(blocks);

@@ -19,7 +19,7 @@ std::vector<Solid> true_world(const Tour& tour);
 
 /// The photograph of `frame` where the tour has any, else the true world from the true pose, as a camera would take it.
 Picture real_picture(const Tour& tour, std::size_t frame);
-/// "photograph", or "drawn from the scene": what real_picture() is.
+/// The kind of real_picture(): "photograph", or "drawn from the scene".
 std::string real_picture_name(const Tour& tour);
 
 /// The silhouettes in flat colours, and around them the boxes that the camera reports.

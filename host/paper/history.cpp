@@ -43,7 +43,7 @@ recon::Sighting sighting_of(const recon::CameraModel& camera, const sensor::Odom
   return recon::make_sighting(camera, recon::lens_pose(recon::to_map_pose(pose), camera), seen);
 }
 
-/// Keeps what the map's objects were after the frames asked for.
+/// Keeps the map's objects after the requested frames.
 class Follower final : public RunObserver {
  public:
   Follower(const Tour& tour, const std::vector<std::size_t>& after) : tour_(tour), after_(after) {

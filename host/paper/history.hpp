@@ -37,8 +37,8 @@ struct History {
 /// `after`: ascending frame counts. Blobs of several objects are left out.
 History follow_given(const Tour& tour, std::size_t object, const std::vector<std::size_t>& after);
 
-/// The log through the whole pipeline; for each of the scene's objects what the map's object that means it at the end
-/// was. One that is not found has empty snapshots.
+/// Runs the log through the whole pipeline. For each of the scene's objects: the states of the map's object that is
+/// matched to it at the end. One that is not found has empty snapshots.
 std::vector<History> follow_inferred(const Tour& tour, const std::vector<std::size_t>& after);
 
 /// The model `name` of a snapshot, raised to a height band, in the mean colour of the blobs taken so far. The band is

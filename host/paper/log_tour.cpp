@@ -62,7 +62,7 @@ std::optional<sensor::OdometrySample> pose_at(const std::vector<sensor::Odometry
   return pose;
 }
 
-/// The true image at one pose, and what it says of blobs.
+/// The true image at one pose, and the truth about blobs in it.
 class TrueImage {
  public:
   explicit TrueImage(const Scene& scene)

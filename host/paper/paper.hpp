@@ -24,7 +24,7 @@ struct PaperOptions {
   std::size_t single_scenes = 20;  ///< in each of which, alone, every claim is looked at again
   std::optional<PaperRun> run;     ///< then the seed and the numbers of scenes play no part
   std::string generator = "fencepost";
-  /// Hears what has been done, and how much of all work; from several threads, one after the other.
+  /// Gets the finished step, and the work done of all work; from several threads, one after the other.
   std::function<void(std::string_view what, double done, double all)> progress;
 };
 

@@ -31,11 +31,11 @@ struct Models {
 
 Models reconstruct(const Tour& tour, std::size_t blocks, const std::vector<std::size_t>& after);
 
-/// One solid a block: what this algorithm makes of the world after `after[snapshot]` frames.
+/// One solid a block: this algorithm's world after `after[snapshot]` frames.
 std::vector<Solid> world_of(const Tour& tour, const Models& models, const Algorithm& algorithm, std::size_t snapshot);
 
 /// Renders that world from the robot's believed pose at `frame` and looks for the landmarks (red, yellow) in the real
-/// image. All blocks hide what is behind them.
+/// image. All blocks occlude.
 std::vector<Reacquisition> reacquire_both(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
                                           std::size_t frame);
 

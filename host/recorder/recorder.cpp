@@ -80,7 +80,7 @@ void Recorder::receive() {
   watch_connection();
 }
 
-// The file comes first: what was shown is in it whatever happens next.
+// The file comes first: shown bytes are in it whatever happens next.
 void Recorder::keep(std::string_view bytes) {
   fault_ = parts_.log.write(bytes, now_);
   if (fault_) return;

@@ -32,7 +32,7 @@ std::string_view colour_of(std::string_view line) {
   return {};
 }
 
-/// The end of a line that is wider than the terminal: what is typed is at its end.
+/// The end of a line that is wider than the terminal, where the typing goes on.
 std::string_view fitting(std::string_view line) {
   const std::size_t width = Display::status_width();
   return line.size() <= width ? line : line.substr(line.size() - width);

@@ -1,5 +1,5 @@
-// This terminal as the console of `fencepost run`: what is typed stays whole while the robot talks, and what is urgent
-// is seen and heard.
+// This terminal as the console of `fencepost run`. Typed text stays whole while the robot talks, and urgent lines are
+// coloured and ring the bell.
 #pragma once
 
 #include <functional>
@@ -26,10 +26,10 @@ class TypingConsole final : public ConsolePort {
   std::uint64_t finish(std::chrono::milliseconds patience) override;
   void watch(linux::WaitSet& set, bool output_waits) const override;
 
-  /// Around what else writes to this terminal.
+  /// Calls `write`, which writes to this terminal, without the typed line.
   void without_typed_line(const std::function<void()>& write);
 
-  static constexpr std::size_t kMaxWaiting = 8192;  ///< bytes; what comes then has to wait
+  static constexpr std::size_t kMaxWaiting = 8192;  ///< bytes; further output has to wait
 
  private:
   void take_line(std::string_view typed);

@@ -116,7 +116,7 @@ struct Judge {
     }
   }
 
-  // By all matches; the direction is then known to what a map is bent by.
+  // Refines by all matches: then only the bend of the map limits the direction.
   void refine() {
     Matches matches;
     for (std::size_t s = 0; s < seen.size(); ++s) {

@@ -61,7 +61,7 @@ namespace constellation {
 
 inline constexpr std::uint8_t kNone = 0xFF;
 
-/// The known map and what is derived of it once.
+/// The known map and data derived from it once.
 struct Known {
   std::span<const ConstellationPoint> points;
   Vec2 middle{0, 0};

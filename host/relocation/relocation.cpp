@@ -71,7 +71,7 @@ Vec2 turned_by(const Vec2& rotation, float angle) {
   return next.normalized();
 }
 
-/// How well a thing of the map suits what a candidate says of a sighting.
+/// How well a thing of the map fits a sighting, as a candidate predicts it.
 struct Fit {
   std::size_t known = constellation::kNone;
   float distance = 0;  ///< sigmas^2

@@ -36,9 +36,9 @@ class Check {
   void unread(std::string_view start, const record::LineOutcome& line);
   static constexpr std::size_t kStart = 7;  ///< characters of a line that it looks at: "$FPALR,"
 
-  /// Compares what waits yet of this run, and forgets the run.
+  /// Compares the rest of this run, and forgets the run.
   void settle();
-  /// Forgets what was compared: it is of a run that had begun before the log, of which the robot knew more.
+  /// Drops the comparison: the run had begun before the log, so the robot knew more.
   void withdraw();
   [[nodiscard]] const CheckOutcome& outcome() const { return outcome_; }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kDefaultProfile = "full";
 constexpr std::size_t kMaxDoubts = 1U << 16U;
 
-// Adds what this run has refused.
+// Adds this run's refused frames.
 void add_refused(const console::Counters& counters, RefusedFrames& refused) {
   const auto of = [&](console::Refusal reason) { return counters.refused[static_cast<std::size_t>(reason)]; };
   refused.no_pose += of(console::Refusal::kNoPose);

@@ -26,7 +26,7 @@ class LogReplay {
   LogReplay& operator=(const LogReplay&) = delete;
   ~LogReplay() = default;
 
-  /// At a line's end what became of it, within a line nothing.
+  /// The outcome of a line at its end, nothing within a line.
   std::optional<record::LineOutcome> push(char byte) {
     std::string_view bytes(&byte, 1);
     return take(bytes);

@@ -13,7 +13,7 @@
 
 namespace fencepost::host {
 
-/// Splits the bytes of the log into lines, keeps the alerts and hands on what `replay --check` compares.
+/// Splits the bytes of the log into lines, keeps the alerts and hands on the records that `replay --check` compares.
 class OwnLog {
  public:
   /// Any of them may be missing.

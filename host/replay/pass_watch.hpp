@@ -20,7 +20,7 @@ class PassWatch {
   /// No further pass is noted.
   [[nodiscard]] bool full() const { return passes_.size() == kMax; }
 
-  /// Forgets what was ahead and is in the map no more, once there is more of it than the map holds.
+  /// Forgets objects ahead that the map has no more, once there are more of them than the map holds.
   template <class InMap>
   void forget_lost(std::size_t map_size, InMap in_map) {
     if (ahead_.size() > map_size) std::erase_if(ahead_, [&](const auto& known) { return !in_map(known.first); });
@@ -33,7 +33,7 @@ class PassWatch {
   static constexpr double kFarthest = 3;  ///< m, first known no farther off than that
 
  private:
-  std::map<std::uint32_t, PassResult> ahead_;  ///< by id: what is ahead, with what was first known of it
+  std::map<std::uint32_t, PassResult> ahead_;  ///< by id: objects ahead, with the data of their first sight
   std::vector<PassResult> passes_;
 };
 

@@ -14,8 +14,8 @@
 namespace fencepost::host {
 namespace {
 
-/// The robot's memory, with a journal that has room for all that one input can emit, and is emptied after each. What
-/// was in the robot's log was used by the robot, so a replay must use it too, whatever the robot's own buffers were.
+/// The robot's memory, with a journal that has room for all that one input can emit, and is emptied after each. The
+/// robot used the inputs in its log, so a replay must use them too, whatever the robot's own buffers were.
 template <class Base>
 using Replayed = loop::Journaled<Base, loop::kLinesOfOneInput<Base> * record::kMaxLine>;
 

@@ -29,7 +29,7 @@ struct MapFrame {
   }
 };
 
-/// Fits the path, the truth and the confirmed objects; what only tentative objects say may fall outside.
+/// Fits the path, the truth and the confirmed objects; tentative objects may fall outside.
 MapFrame fit_map(const ResultDocument& document, const std::optional<Scene>& truth);
 
 }  // namespace fencepost::host

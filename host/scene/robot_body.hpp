@@ -1,4 +1,4 @@
-// "robot" of a scene or robot file: what of the robot can touch.
+// "robot" of a scene or robot file: the robot's outline.
 #pragma once
 
 #include <optional>

@@ -40,7 +40,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-/// For a message: what was read, in print and not too much of it.
+/// The text for a message: printable, and not too much of it.
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMax = 40;
   std::string shown = "\"";

@@ -49,7 +49,7 @@ std::optional<std::pair<int, int>> gap_between(int a1, int a2, int b1, int b2) {
 
 int width(const std::optional<std::pair<int, int>>& gap) { return gap ? gap->second - gap->first + 1 : 0; }
 
-/// The gap between the two along one axis, or what they have in common where there is none.
+/// The gap between the two along one axis, or their common part where there is none.
 std::pair<int, int> span_between(int a1, int a2, int b1, int b2) {
   return gap_between(a1, a2, b1, b2).value_or(std::pair{std::max(a1, b1), std::min(a2, b2)});
 }
@@ -86,7 +86,7 @@ void absorb(ImageRegion& into, const ImageRegion& other) {
   into.sum_bgr += other.sum_bgr;
 }
 
-/// Joins what belongs together until nothing does; the number of joints.
+/// Joins regions that belong together until none do; the number of joints.
 std::size_t merge(std::vector<ImageRegion>& regions, const cv::Mat& labels, int max_gap) {
   std::size_t merged = 0;
   for (std::size_t i = 0; i < regions.size(); ++i) {

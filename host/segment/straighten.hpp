@@ -12,7 +12,7 @@ struct Straightening {
   bool undistort = false;  ///< takes k1 out of the image
 };
 
-/// Turns and undistorts images of one camera, and says what its calibration then is.
+/// Turns and undistorts images of one camera, and gives the calibration that they have then.
 class Straightener {
  public:
   /// `camera`: of the images as the files have them; the mount is that of the upright camera.

@@ -56,8 +56,7 @@ struct Draws {
   double swap_pick;
 };
 
-/// An end on the image's first or last line stays there: what goes on outside fills the border whatever its edge
-/// does.
+/// An end on the image's first or last line stays there: the object goes on outside, whatever its edge does.
 Extent moved_edges(const PixelBox& box, const LabelImage& image, const SceneNoise& noise, const Draws& draws) {
   Extent extent{box.x1 - 0.5, box.y1 - 0.5, box.x2 + 0.5, box.y2 + 0.5};
   const double out = noise.edge_bias_px;

@@ -11,7 +11,7 @@
 
 namespace fencepost::host {
 
-/// One blob and what it really is.
+/// One blob and its truth.
 struct Detection {
   sensor::Blob blob;
   BlobTruth truth;

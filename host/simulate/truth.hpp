@@ -40,7 +40,7 @@ struct FrameTruth {
 base::Result<SimulationSummary, std::string> simulate_with_truth(const Scene& scene, const LineSink& sink,
                                                                  const std::function<void(const FrameTruth&)>& truth);
 
-/// Somebody else drives: by what the sink has made of the records up to now, for example.
+/// The caller drives, for example by the records that the sink has got so far.
 struct Driven {
   /// Where the robot is at t, s. Asked for times up to that of the next record, never ahead of it.
   std::function<TimedPose(double t)> pose;

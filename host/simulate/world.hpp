@@ -12,7 +12,7 @@ class World {
  public:
   explicit World(const Scene& scene);
 
-  /// In the scene's order, with the footprints of that time; what is not there has none. Valid until the next call.
+  /// In the scene's order, with the footprints of that time; absent objects have none. Valid until the next call.
   const std::vector<SceneObject>& at(double t);
 
  private:

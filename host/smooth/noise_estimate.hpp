@@ -10,8 +10,8 @@ struct Strays {
   double drift = 1;  ///< of turns
   double walk = 1;   ///< of ways
 };
-/// By turns and chords over some seconds: so far what is seen decides, not the odometry itself. Ways that may stray
-/// more than they do take up the bearings' noise, and the map shrinks. Each at least a quarter, at most 60 and 4.
+/// By turns and chords over some seconds, in which the sightings decide, not the odometry itself. With a larger walk
+/// than needed, ways take up the bearings' noise, and the map shrinks. Each at least a quarter, at most 60 and 4.
 Strays strays_of(const CalibrationProblem& problem, const Estimate& estimate);
 
 /// Noise by the residuals. Of bearings and widths it is at least their difference from one view of an object to its

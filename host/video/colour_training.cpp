@@ -18,7 +18,7 @@ constexpr double kOutliers = 0.02;
 constexpr int kCells = 128;
 /// A range grows by at most 0.06: bulbs for daylight, after the camera's white balance, move shares by about as much.
 constexpr int kMaxGrowth = 8;
-/// px around what is connected to a box that are of neither: blurred edges.
+/// Width, px, of blurred edges around the pixels connected to a box: they count for neither side.
 constexpr int kEdge = 4;
 /// Share of a picture that is noise.
 constexpr double kNoise = 0.0002;

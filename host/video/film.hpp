@@ -45,7 +45,7 @@ class Film {
   std::unique_ptr<JpegDecoder> jpeg_;  ///< of M-JPEG; null: Y4M
   std::vector<std::uint8_t> read_;
   std::vector<std::uint8_t> rows_;
-  std::size_t ahead_ = 0;  ///< bytes of `read_` that belong to what was given already
+  std::size_t ahead_ = 0;  ///< bytes of `read_` that were given already
 };
 
 }  // namespace fencepost::host

@@ -49,7 +49,7 @@ std::string encode_jpeg(const RgbPicture& picture) {
   const std::unique_ptr<void, decltype(&tjDestroy)> encoder(tjInitCompress(), &tjDestroy);
   unsigned char* out = nullptr;
   unsigned long size = 0;
-  // No chroma is left out: colours are what the picture is for.
+  // Full chroma: the picture is for its colours.
   const int failed = tjCompress2(encoder.get(), bytes.data(), picture.width, 0, picture.height, TJPF_RGB, &out, &size,
                                  TJSAMP_444, kQuality, 0);
   const std::unique_ptr<unsigned char, decltype(&tjFree)> owner(out, &tjFree);

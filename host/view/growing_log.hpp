@@ -27,7 +27,7 @@ class GrowingLog {
   /// Nothing follows.
   void end();
 
-  /// Where to begin: what comes before the first part, and the place of that.
+  /// The text before the first part, and that part's place.
   struct Start {
     std::string preamble;  ///< empty, or what was in force when the oldest kept line came, with its run's header
     std::uint64_t place = 0;

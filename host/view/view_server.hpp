@@ -23,7 +23,7 @@ class ViewServer {
  public:
   using Opened = linux::Opened<std::unique_ptr<ViewServer>>;
 
-  /// `page`: what / is; port 0: any that is free. errors: a sentence: the port is taken
+  /// `page`: the answer to /; port 0: any that is free. errors: a sentence: the port is taken
   static Opened open(std::string page, std::uint16_t port, std::size_t capacity = GrowingLog::kCapacity);
   /// Hangs up on everybody; see `finish`.
   ~ViewServer();
@@ -32,7 +32,7 @@ class ViewServer {
 
   /// Whole lines of the log. Never waits for anybody.
   void add(std::string_view lines) { log_.add(lines); }
-  /// The run is over: gives what browsers still lack, as long as that.
+  /// The run is over: gives browsers the rest, for at most `patience`.
   void finish(std::chrono::milliseconds patience);
   /// "http://127.0.0.1:4321/".
   [[nodiscard]] std::string address() const;

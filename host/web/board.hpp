@@ -1,4 +1,4 @@
-// A board's image on the page: what it can be configured to be, and the file for the board.
+// A board's image on the page: its possible settings, and the file for the board.
 #pragma once
 
 #include <string>

@@ -145,7 +145,8 @@ bool Drive::touches(const TimedPose& pose) const {
   });
 }
 
-// On an arc; where something stands it does not go. What came over it while it stood does not hold it.
+// Drives on an arc, and stops where an object is. An object that came over the robot while it was stationary does not
+// hold it.
 void Drive::move(double seconds) {
   const TimedPose& now = knots_.back();
   const double middle = now.heading + turn_rate_ * seconds / 2;

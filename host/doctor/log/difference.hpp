@@ -1,4 +1,4 @@
-// Two runs beside each other: settings, calibration, and what the robot's own loop says of each.
+// Compares two runs: settings, calibration, and the results of the robot's own loop.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

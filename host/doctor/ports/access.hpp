@@ -1,4 +1,4 @@
-// Whether this user may open a port, and if not, what lets him on this very system.
+// Whether this user may open a port, and if not, the remedy on this very system.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,7 @@ struct Holder {
 
 struct Holders {
   std::vector<Holder> programs;  ///< by number, without this one
-  bool all_seen = true;          ///< false: what other users' programs have open is not shown to this user
+  bool all_seen = true;          ///< false: this user may not see the files that other users' programs have open
 };
 
 Holders holders_of(const Roots& roots, const std::string& path);

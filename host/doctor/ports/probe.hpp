@@ -22,7 +22,7 @@ struct ProbeTimes {
   bool settling = true;  ///< a camera that answers gets the time, too, in which it settles white balance and gain
 };
 
-/// True: stop and answer with what is known.
+/// True: stop and return the answers so far.
 using Interrupted = std::function<bool()>;
 
 struct Probe {

@@ -80,7 +80,7 @@ std::vector<int> fields_of(CmuCamModel model, const Seen& seen, bool middle) {
   return fields;
 }
 
-/// For people: of bytes that are no text, what they are.
+/// The name for people; bytes that are no text are described.
 std::string told_name(const std::string& name) {
   const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   return !name.empty() && name.size() <= 8 && std::all_of(name.begin(), name.end(), plain) ? name : "unreadable bytes";
@@ -158,7 +158,7 @@ std::string CmuCamDevice::feed_byte(char byte) {
   return model_ == CmuCamModel::kOne || model_ == CmuCamModel::kTwo ? ":" : answer(true);
 }
 
-// Of a CMUcam4's line: what is no character of a command.
+// Handles bytes of a CMUcam4's line that are no character of a command.
 bool CmuCamDevice::edit(char byte) {
   constexpr unsigned char kDelete = 0x7F;
   if (byte == '\b' && !line_.empty()) line_.pop_back();

@@ -13,8 +13,8 @@
 namespace fencepost::emulate {
 
 /// Commands: `ID?`, `NAME?`, `VER?`, `STAT?`, `INVOKE?`, `BREAK`, `INVOKE=times,differed,result_only`, which it obeys
-/// without a picture. Any other gets a log reply. What it says while it starts is not known: here nothing, for a
-/// second, in which it does not listen either. Middles of boxes are whole pixels; its scores are 90.
+/// without a picture. Any other gets a log reply. Its output while it starts is not documented: it is assumed silent
+/// and deaf for a second. Middles of boxes are whole pixels; its scores are 90.
 class Grove final : public DeviceModel {
  public:
   static constexpr base::Duration kBoot = base::milliseconds(1'000);
@@ -44,7 +44,7 @@ class Grove final : public DeviceModel {
   NotEmulated not_emulated_;
 };
 
-/// The same on I2C: what it says waits until it is read, in packets of at most 250 bytes.
+/// The same on I2C: output waits until it is read, in packets of at most 250 bytes.
 class GroveOnI2c final : public I2cDevice {
  public:
   explicit GroveOnI2c(Grove& device) : device_(device) {}

@@ -22,7 +22,7 @@ class HuskyLens final : public DeviceModel {
   static constexpr int kFaces = 0;
   static constexpr int kColours = 4;
 
-  /// `function`: what it was left in; a start keeps it.
+  /// `function`: the one it was left in; a start keeps it.
   explicit HuskyLens(base::Time power_on = {}, int function = kFaces)
       : power_on_(power_on), left_in_(function), algorithm_(function) {}
 

@@ -21,7 +21,7 @@ Bytes framed(std::uint8_t command, int algorithm, const Bytes& data) {
   return bytes;
 }
 
-/// Two bytes, then words: what all its answers begin with.
+/// Two bytes, then words: the start of each answer.
 Bytes packet(int first, int second, std::initializer_list<int> words) {
   Bytes bytes = {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
   for (const int word : words) {

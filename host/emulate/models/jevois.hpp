@@ -13,8 +13,8 @@ namespace fencepost::emulate {
 
 /// Commands: `setpar serout|serstyle|serprec|serstamp|sermark|serlimit`, `streamon`, `streamoff`, `ping`. `setpar
 /// serlog` changes nothing, `setmapping2` loads the module anew whatever it names; any other gets an error. Things are
-/// called blob1, blob2 ... by their signature. What it says while it boots is not known: here nothing, for three
-/// seconds, in which it does not listen either.
+/// called blob1, blob2 ... by their signature. Its output while it boots is not documented: it is assumed silent and
+/// deaf for three seconds.
 class JeVois final : public DeviceModel {
  public:
   static constexpr base::Duration kBoot = base::milliseconds(3'000);

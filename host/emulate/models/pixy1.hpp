@@ -45,7 +45,7 @@ class Pixy1 final : public DeviceModel {
   };
   void show_code(const ColourCode& code) { codes_ = {code}; }
 
-  /// As a two-wire bus reads it: what there is of the image, then zeros; nothing while it starts.
+  /// Bytes for a two-wire bus: the rest of the image, then zeros; nothing while it starts.
   Bytes pull(std::size_t count, base::Time now);
 
  private:

@@ -39,8 +39,7 @@ class Playback {
 
   /// The host's bytes for a device.
   void hear(std::size_t index, std::span<const std::uint8_t> bytes, base::Time now);
-  /// Everything that is due by `now`, each at its own time. May be called seldom: nothing is late but what is read
-  /// late.
+  /// Does everything that is due by `now`, each at its own time. Rare calls delay only the reading.
   void advance(base::Time now);
   /// When `advance` has something to do next.
   [[nodiscard]] std::optional<base::Time> next() const;

@@ -1,4 +1,4 @@
-// The inverse of odometry: from poses to what the wheels have turned.
+// The inverse of odometry: from poses to turns of the wheels.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ class TravelLog {
   /// Interpolated; before the first pose and after the last the robot is stationary.
   [[nodiscard]] Travel at(base::Time t) const;
 
-  /// Distance driven sideways, m, which no wheel can measure; beyond what rounding to 0.1 mm explains.
+  /// Distance driven sideways, m, which no wheel can measure, without the share that rounding to 0.1 mm explains.
   [[nodiscard]] double sideways() const { return sideways_; }
 
  private:

@@ -29,7 +29,7 @@ struct ParsedFaults {
   FaultSettings settings;
   std::string problem;
 };
-/// `start`: what is in force already, and stays where `text` says nothing.
+/// `start`: the settings in force, which stay where `text` has none.
 ParsedFaults parse_faults(std::string_view text, const FaultSettings& start = {});
 
 struct FaultCounts {

@@ -12,7 +12,7 @@
 
 namespace fencepost::host::exports {
 
-inline constexpr int kTentativeLife = 2;  ///< s; what is confirmed stays until it is deleted
+inline constexpr int kTentativeLife = 2;  ///< s; confirmed objects stay until they are deleted
 inline constexpr std::string_view kMapFrame = "map";
 inline constexpr std::string_view kRobotFrame = "base_link";
 inline constexpr std::string_view kCameraFrame = "camera";  ///< at the lens, x along the optical axis, z up
