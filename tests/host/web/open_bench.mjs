@@ -1,6 +1,5 @@
-// usage: node open_bench.mjs PAGE CLI NPM SHARE. Prints the page's size. Prints the times to its first picture of the
-// map, to the picture of the whole run, and of a jump in its recording. They are real time: measure on a machine that
-// does nothing else.
+// usage: node open_bench.mjs PAGE CLI NPM SHARE: the size of the page, and its times: first picture, whole run, a jump.
+// They are real time: measure on a machine that does nothing else.
 import { statSync } from "node:fs";
 import { Browser, Tools, goTo } from "./harness.mjs";
 
