@@ -3,7 +3,7 @@
 const TURN = 10;          // ms of work before the page gets its turn
 const CHUNK = 4096;       // bytes between two looks at the clock
 const CHECKPOINTS = 48;   // at most
-const REPLAYED = 50;      // ms of replay between two of them at least: a jump costs that
+const SPACING = 20e3;     // bytes of log between two of them at least: a jump replays so much
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
 /** The page's data at one time; alerts up to then, or none. */
@@ -35,21 +35,17 @@ export class Player {
     let run = 0;
     let kept = 0;
     let offset = 0;
-    let replayed = 0;  // ms since the last checkpoint
+    const spacing = Math.max(SPACING, log.length / CHECKPOINTS);
     let turn = performance.now();
     while (offset < log.length && !engine.ended) {
-      const fed = performance.now();
       offset += engine.feed(log.subarray(0, Math.min(offset + CHUNK, log.length)), offset);
-      replayed += performance.now() - fed;
       if (engine.runs !== run) {
         run = engine.runs;
         this.#checkpoints = [];
       }
-      const due = replayed >= REPLAYED && offset - kept >= log.length / CHECKPOINTS;
-      if (run > 0 && (this.#checkpoints.length === 0 || due)) {
+      if (run > 0 && (this.#checkpoints.length === 0 || offset - kept >= spacing)) {
         this.#checkpoints.push({ ...engine.snapshot(this.#checkpoints.at(-1)), offset });
         kept = offset;
-        replayed = 0;
       }
       if (performance.now() - turn > TURN) {
         busy += performance.now() - turn;
