@@ -7,7 +7,7 @@
 
 namespace fencepost::host::calibration {
 
-// Of good wheels on a hard floor. Wheels that slip more are noticed: CalibrationProblem::drift, walk.
+// Random drift of good wheels on a hard floor. Wheels that slip more are noticed: CalibrationProblem::drift, walk.
 constexpr double kWalk = 0.004;                 ///< m / sqrt(m)
 constexpr double kHeadingWalkByWay = 0.004;     ///< rad / sqrt(m)
 constexpr double kHeadingWalkByTurn = 0.004;    ///< rad / sqrt(rad)

@@ -62,7 +62,7 @@ std::optional<std::string> add_known(const CalibrateOptions& options, const std:
     if (auto wrong = seen(apart.a, a)) return "--distance: " + *wrong;
     if (auto wrong = seen(apart.b, b)) return "--distance: " + *wrong;
     if (apart.a == apart.b) return "--distance: give two different colours, one for each block";
-    // Of several objects of a colour it is not known which one was measured: parts of one are joined later.
+    // Several objects of a colour: it is not known which one was measured, and parts of one are joined later.
     for (const std::size_t i : a) {
       for (const std::size_t j : b) started.problem.distances.push_back({i, j, apart.distance});
     }

@@ -10,7 +10,7 @@
 namespace fencepost::host::calibration {
 
 inline double value_of(double number) { return number; }
-/// Of a number with derivatives.
+/// The value of a number with derivatives.
 template <class Number>
 double value_of(const Number& number) {
   return number.a;

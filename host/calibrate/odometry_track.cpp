@@ -16,7 +16,7 @@ constexpr PoseNoise kQuiet = {0.0005, 0.001};
 // A quadratic through some twelve samples keeps this share of their noise.
 constexpr double kLeftAfterSmoothing = 0.45;
 
-/// Of the noise of single samples: a second difference has sqrt(6) of it.
+/// Sigma of the noise of single samples: their second difference has sqrt(6) times it.
 double white_noise(std::span<const TimedPose> samples, double TimedPose::*member) {
   std::vector<double> differences;
   for (std::size_t i = 2; i < samples.size(); ++i) {

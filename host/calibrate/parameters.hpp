@@ -7,8 +7,8 @@
 
 namespace fencepost::host {
 
-/// Of the camera. kFocal is the natural logarithm of the focal length over the configured one. All others are absolute:
-/// rad, s, m.
+/// Parameters of the camera. kFocal is the natural logarithm of the focal length over the configured one. All others
+/// are absolute: rad, s, m.
 enum CameraParameter : std::size_t {
   kFocal,
   kYaw,
@@ -21,8 +21,8 @@ enum CameraParameter : std::size_t {
   kCameraParameters
 };
 
-/// Of the odometry: true way / reported way - 1, true turn / reported turn - 1, rad of turn that each metre adds
-/// unreported.
+/// Parameters of the odometry: true way / reported way - 1, true turn / reported turn - 1, rad of turn that each metre
+/// adds unreported.
 enum WheelParameter : std::size_t { kStep, kTurn, kCurve, kWheelParameters };
 
 /// An object's footprint by its support function r + sum of harmonics about (x, y), as the hybrid has it, and its top.
@@ -30,8 +30,8 @@ enum ObjectParameter : std::size_t { kCentreX, kCentreY, kTop, kRadius, kShape }
 inline constexpr std::size_t kLastHarmonic = 6;  ///< the next one of a square is 3 % of its radius: below a pixel
 inline constexpr std::size_t kObjectParameters = kShape + 2 * (kLastHarmonic - 1);
 
-/// Of all objects of a signature: how far each edge of a box lies outside of the thing, px. And their width: the
-/// natural logarithm of the true one over the configured one.
+/// Shared by all objects of a signature. kPad: how far each edge of a box lies outside of the thing, px. kWidthRatio:
+/// the natural logarithm of the true width over the configured one.
 enum KindParameter : std::size_t { kPad, kWidthRatio, kKindParameters };
 
 enum PoseParameter : std::size_t { kPoseX, kPoseY, kPoseHeading, kPoseParameters };

@@ -21,7 +21,7 @@ struct SightingResidual {
   std::optional<Point> floor{};
 };
 
-/// Of one sighting; its object and node are the estimate's.
+/// The residual of one sighting; its object and node are the estimate's.
 SightingResidual residual_of(const CalibrationProblem& problem, const Estimate& estimate, const Sighting& sighting);
 
 std::vector<SightingResidual> residuals_at(const CalibrationProblem& problem, const Estimate& estimate);

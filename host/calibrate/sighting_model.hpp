@@ -168,7 +168,8 @@ T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, co
   const T nx = -sign * along_y;
   const T ny = sign * along_x;
   const T beyond = support(object, nx, ny) - nx * view.x - ny * view.y;
-  // Of the point that touches, not of the middle: a residual that a shape can make smaller by a factor bends the shape.
+  // Range of the point that touches, not of the middle: a residual that a shape can make smaller by a factor bends the
+  // shape.
   const T range = not_behind<T>(along_x * (object[kCentreX] - view.x) + along_y * (object[kCentreY] - view.y) -
                                 sign * support_slope(object, nx, ny));
   const T depth = range / length;

@@ -14,7 +14,7 @@ struct SolverOptions {
   /// Held as they are; the first node always is: it is the origin.
   std::array<bool, kCameraParameters> hold_camera{};
   std::array<bool, kWheelParameters> hold_wheels{};
-  /// Of each kind of the estimate; what is not listed is held.
+  /// Free parameters of each kind; kinds that are not listed are held.
   std::vector<std::array<bool, kKindParameters>> free_kinds{};
   bool hold_shape = false;  ///< objects stay as round as they are
   bool hold_way = false;    ///< the poses stay where the odometry has them
@@ -27,19 +27,19 @@ std::optional<std::string> solve(const CalibrationProblem& problem, const Solver
 /// Half the sum of robust squares that `solve` makes least.
 double cost_at(const CalibrationProblem& problem, const SolverOptions& options, Estimate estimate);
 
-/// Of an object's place, m^2.
+/// Covariance of an object's place, m^2.
 struct PlaceVariance {
   double xx = 0;
   double xy = 0;
   double yy = 0;
 };
 
-/// Of each object's place, seen from the first node, priors included. Empty where the problem is singular.
+/// Covariance of each object's place, seen from the first node, priors included. Empty where the problem is singular.
 std::vector<PlaceVariance> place_variances(const CalibrationProblem& problem, const SolverOptions& options,
                                            Estimate estimate);
 
-/// Of camera, wheels and kinds at the estimate, priors included: rad, s, m, as in parameters.hpp. What is held has
-/// none. Nothing where the problem is singular.
+/// Covariance of camera, wheels and kinds at the estimate, priors included: rad, s, m, as in parameters.hpp. Zero for
+/// held parameters. Nothing where the problem is singular.
 std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem, const SolverOptions& options,
                                               Estimate estimate);
 

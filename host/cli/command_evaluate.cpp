@@ -58,7 +58,7 @@ Exit judge(const EvaluateRequest& request, const Summary& summary) {
   return exceeded || !measured ? Exit::kCheckFailed : Exit::kDone;
 }
 
-/// Of several logs one that cannot be read does not end the work; one alone does, and so does wrong usage.
+/// One unreadable log of several does not end the work. A single one does, and so does wrong usage.
 EvaluationPart collect(std::vector<Judged>& all, const std::vector<std::string>& logs,
                        std::vector<std::uint32_t> views) {
   EvaluationPart part{std::move(views), {}, {}};

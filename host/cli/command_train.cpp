@@ -56,7 +56,8 @@ NamedBox parse_box(const std::string& text) {
   return named;
 }
 
-/// Of the command line and of the file, in which each line is one; blank ones and those that begin with # are none.
+/// Boxes of the command line and of the file. In the file each line is one; blank ones and those that begin with # are
+/// not.
 std::vector<NamedBox> boxes_of(const TrainRequest& request) {
   std::vector<NamedBox> boxes;
   for (const std::string& text : request.boxes) boxes.push_back(parse_box(text));

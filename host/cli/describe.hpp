@@ -27,7 +27,7 @@ struct CommandWords {
   [[nodiscard]] std::string name(char between = ' ') const;
 };
 
-/// Of the whole tree, each before its own commands.
+/// All commands of the tree, each before its own commands.
 std::vector<const CommandWords*> all_commands(const CommandWords& program);
 
 /// "; did you mean replay? See fencepost --help", or "; see fencepost --help": the end of a complaint.

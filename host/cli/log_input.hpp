@@ -23,7 +23,7 @@ class LogInput {
   /// read error, damaged packing, UTF-16
   std::string_view next();
 
-  /// Of the file as it lies there; nothing of a pipe or a terminal.
+  /// Size of the file as stored; nothing of a pipe or a terminal.
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
   /// Whether gzip packed it; known after the first `next`.
   [[nodiscard]] bool packed() const { return gunzip_ != nullptr; }

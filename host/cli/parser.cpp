@@ -116,7 +116,7 @@ void refuse_what_is_empty(const CLI::App& command) {
   }
 }
 
-/// By what help calls its value, such as "T" or "DEG".
+/// Decides by the name of the option's value in help, such as "T" or "DEG".
 bool takes_numbers(const CLI::Option& option) {
   constexpr std::array kNames = {"A B", "D",       "DEG", "DEGREES", "F", "HZ", "M", "MM,MRAD",
                                  "N",   "N,N,...", "PX",  "S",       "T", "X",  "Y"};

@@ -20,7 +20,7 @@ struct FileId {
   std::uint64_t number = 0;
   bool operator==(const FileId&) const = default;
 };
-/// Of an open file; nothing of a pipe or a device.
+/// Identifies an open file; nothing of a pipe or a device.
 std::optional<FileId> id_of_file(int descriptor);
 
 }  // namespace fencepost::host::cli

@@ -18,7 +18,7 @@ constexpr std::uint16_t kBootLoader = 0xDF11;    // USB product
 constexpr std::uint16_t kDfuSeVersion = 0x011A;  // DFU 1.1a of ST
 constexpr std::uint8_t kSuffix = 16;             // bytes
 
-// Of Ethernet, as the remainder is before its last inversion.
+// Ethernet's CRC-32 without its last inversion.
 std::uint32_t crc32(std::string_view text) {
   constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
   std::uint32_t crc = ~0U;

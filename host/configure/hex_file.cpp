@@ -19,7 +19,7 @@ constexpr std::uint8_t kStartSegment = 3;
 constexpr std::uint8_t kUpper = 4;
 constexpr std::uint8_t kStart = 5;
 
-// Of pairs of digits; empty if they are none.
+// Bytes from pairs of digits; empty if they are none.
 std::vector<std::uint8_t> octets(std::string_view digits) {
   std::vector<std::uint8_t> bytes;
   for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {

@@ -45,7 +45,7 @@ class ImageMemory {
 
 enum class ImageFormat : std::uint8_t { kBin, kHex, kUf2, kDfu, kSave };
 
-/// By the end of a file's name: .bin and .gba, .hex, .uf2, .dfu, .sav.
+/// The format by the end of a file's name: .bin and .gba, .hex, .uf2, .dfu, .sav.
 std::optional<ImageFormat> image_format(std::string_view name);
 
 /// Recognises the format by the content. A .bin has no addresses: it begins at 0. errors: the fault, and the remedy

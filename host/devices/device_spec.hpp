@@ -23,7 +23,7 @@ struct DeviceSpec {
   const Row* row = nullptr;
   Use use = Use::kCamera;
   std::string text;  ///< as written
-  /// Of an emulated device on TCP the name is [HOST:]PORT; without a place it is kTty and has no name.
+  /// On TCP an emulated device's name is [HOST:]PORT; without a place it is kTty and has no name.
   host::Place place;
   std::map<std::string, std::string> options;  ///< checked: known to this device at this place, and possible
 

@@ -10,12 +10,12 @@ namespace fencepost::devices {
 inline constexpr std::uint32_t kSlowestBaud = 50;
 inline constexpr std::uint32_t kFastestBaud = 4'000'000;
 
-/// Of a serial port; unknown on a TCP connection.
+/// Baud rate of a serial port; unknown on a TCP connection.
 inline Option baud(std::uint32_t as_delivered) {
   return {"baud", Whole{kSlowestBaud, kFastestBaud}, std::to_string(as_delivered), "", {PlaceKind::kTty}};
 }
 
-/// Of an emulated device's line, 0 being as fast as it goes; `as_delivered` 0: it has no UART.
+/// Baud rate of an emulated device's line, 0: as fast as it goes. `as_delivered` 0: it has no UART.
 inline Option line_baud(std::uint32_t as_delivered) {
   return {"baud", Whole{kSlowestBaud, kFastestBaud, true}, std::to_string(as_delivered)};
 }
@@ -25,7 +25,7 @@ inline Option address(std::uint8_t as_delivered, std::vector<PlaceKind> places =
   return {"address", Whole{1, 127}, fmt::format("{:#04x}", as_delivered), "", std::move(places)};
 }
 
-/// Of one of several on USB.
+/// Serial number, to choose one of several on USB.
 inline Option serial() { return {"serial", AnyText{}, "", "of the one that is meant", {PlaceKind::kUsb}}; }
 
 /// The limits of an emulated camera, with the image of its driver's profile.

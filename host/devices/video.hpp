@@ -6,7 +6,7 @@
 
 namespace fencepost::devices {
 
-/// Of a `v4l2`. errors: host::DeviceFailure: this build cannot read what is asked for
+/// Settings of a `v4l2`. errors: host::DeviceFailure: this build cannot read the requested format
 linux::V4l2Settings webcam_settings(const DeviceSpec& spec);
 
 }  // namespace fencepost::devices

@@ -58,7 +58,7 @@ class Watch final : public RunObserver {
   [[nodiscard]] std::uint64_t visible(std::size_t truth, std::uint8_t signature) const {
     return frame_truth() ? following_.visible(truth) : signature_frames_[signature];
   }
-  /// By views, ascending.
+  /// The object's snapshots by views, ascending.
   [[nodiscard]] std::vector<ObjectResult> snapshots(std::uint32_t id) const {
     const auto found = snapshots_.find(id);
     return found == snapshots_.end() ? std::vector<ObjectResult>{} : found->second;

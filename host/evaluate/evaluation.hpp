@@ -70,7 +70,7 @@ struct UnjudgedLog {
   std::string why;
 };
 
-/// Of `n` objects; no standard error for one.
+/// Mean over `n` objects; no standard error for one.
 struct Mean {
   double mean = 0;
   std::optional<double> standard_error;

@@ -17,7 +17,7 @@ nlohmann::ordered_json known(const std::optional<Number>& number) {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
 }
 
-/// Of shares and lengths.
+/// Digits of shares and lengths.
 enum class Digits : unsigned char {
   kShown,  ///< to 1e-6
   kAll,    ///< read back they are the same; and the names of all models are there

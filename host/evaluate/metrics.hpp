@@ -16,13 +16,13 @@ struct Score {
   bool empty = false;       ///< the model has no area: its paranoia is in no mean
 };
 
-/// Of a model without area.
+/// Score of a model without area.
 inline constexpr Score kEmptyScore{1, 1, 0, true};
 
 /// kEmptyScore for a model without area, or with a coordinate that is not finite. Overlapping parts count once.
 Score score(const MultiPolygon& model, const Polygon& footprint);
 
-/// Of the area, holes taken out; of an outline without area its first vertex.
+/// Centroid of the area without its holes; of an outline without area its first vertex.
 Point centroid(const Polygon& polygon);
 
 /// From the centroid to the farthest vertex.

@@ -28,7 +28,7 @@ class SimulatedTruths::Ahead {
     simulating_.join();
   }
 
-  /// That frame, if the scene gives it; it is looked for among the latest only.
+  /// The frame of that number, if the scene gives it; only the latest ones are searched.
   const FrameTruth* find(std::uint32_t number) {
     while (true) {
       for (const FrameTruth& truth : latest_) {

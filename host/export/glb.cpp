@@ -29,7 +29,7 @@ void put(std::string& bytes, std::uint32_t value) {
 }
 void put(std::string& bytes, float value) { put(bytes, std::bit_cast<std::uint32_t>(value)); }
 
-/// Of sRGB, as glTF wants colours.
+/// Linear from sRGB, as glTF wants colours.
 double linear(std::uint8_t channel) {
   const double c = channel / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);

@@ -26,7 +26,7 @@ void add_edges(const LinearRing& ring, std::size_t part, std::vector<Edge>& edge
   }
 }
 
-/// Of two edges that share a height.
+/// Adds the crossing of two edges that share a height.
 void add_crossing(const Edge& a, const Edge& b, std::vector<double>& heights) {
   const Point u{a.high.x - a.low.x, a.high.y - a.low.y};
   const Point v{b.high.x - b.low.x, b.high.y - b.low.y};

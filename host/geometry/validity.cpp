@@ -18,7 +18,8 @@ struct Side {
   [[nodiscard]] Point middle() const { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
 };
 
-/// Of c from the line a to b: 1 left, -1 right, 0 on it. Differences of doubles and their products need more digits.
+/// The side of c from the line a to b: 1 left, -1 right, 0 on it. Differences of doubles and their products need more
+/// digits.
 int side_of(Point a, Point b, Point c) {
   const auto ax = static_cast<long double>(a.x);
   const auto ay = static_cast<long double>(a.y);

@@ -61,7 +61,7 @@ static_assert(sensor::BlobCamera<CameraDevice>);
 class OdometryDevice : public Device {
  public:
   virtual base::Result<sensor::OdometrySample> poll(base::Time now) = 0;
-  /// Of a base that drives by itself: the speed that it may have, mm/s, once a turn of the loop; it obeys at once.
+  /// Allows a base that drives by itself a speed, mm/s, once a turn of the loop; it obeys at once.
   virtual void allow_motion(std::int16_t /*most*/, base::Time /*now*/) {}
   /// The run is over: a base that drives stops.
   virtual void stand(base::Time /*now*/) {}

@@ -59,7 +59,7 @@ class LogFile {
   /// The part being written.
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] unsigned parts() const { return parts_; }
-  /// Of all parts.
+  /// Bytes of all parts.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:

@@ -181,7 +181,7 @@ std::vector<double> breaks_within(const std::vector<Solid>& solids, Slab range) 
   return breaks;
 }
 
-/// Of a slab that the target's wall spans, the part whose rows are in the image.
+/// The part of a slab, which the target's wall spans, whose rows are in the image.
 Slab in_rows(const Target& target, const FieldOfView& view, Slab slab) {
   const Linear inverse = target.wall.inverse(slab);
   const Linear top = target.solid.top * inverse;

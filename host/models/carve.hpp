@@ -62,7 +62,7 @@ void carve_half_plane(const SolidRows& rows, std::size_t columns, RowRange range
 RowRange carve_blocks(const SolidRows& rows, std::size_t columns, RowRange range, const GridPlacement& placement,
                       const HalfPlane& half_plane);
 
-/// Of cells [begin, end) of a row, those in its word `word`: cell 0 is bit 0 of word 0.
+/// The bits of word `word` for the cells [begin, end) of a row: cell 0 is bit 0 of word 0.
 std::uint32_t solid_bits(std::int16_t begin, std::int16_t end, std::size_t word);
 
 /// N x N cells, N a multiple of 32.

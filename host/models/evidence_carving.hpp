@@ -15,7 +15,7 @@
 
 namespace fencepost::host {
 
-/// Of the desk: the edges of all sightings that an object's models took.
+/// Keeps the edges of all sightings that an object's models took; for the desk.
 class KeptTangents {
  public:
   static constexpr std::string_view kName = "kept_tangents";

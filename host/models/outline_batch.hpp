@@ -19,7 +19,7 @@ namespace fencepost::recon {
 class OutlineBatch {
  public:
   static constexpr std::size_t kCapacity = kLanes;
-  /// Of those with fewer views a fit is another one, and soon done.
+  /// With fewer views the fit is another one, and soon done.
   static bool takes(const HybridCore& hybrid) { return hybrid.views >= kViewsForPolygon; }
 
   [[nodiscard]] bool full() const { return count_ == kLanes; }
@@ -61,7 +61,7 @@ class OutlineBatch {
   std::array<RingEquations, kLanes> equations_;
   std::array<TangentTerms, kLanes> terms_;
   std::array<Outline, kLanes> outlines_;
-  // Of all lanes; those without an object have that of the first one.
+  // Terms of all lanes; lanes without an object have those of the first one.
   std::array<Lanes, kSeries> rhs_;
   std::array<Lanes, packed_size(kSeries)> matrix_;
   std::size_t count_ = 0;

@@ -162,7 +162,7 @@ class PlaneSheaf {
   static_assert(Views >= 2 && Posts >= 8);
 
  public:
-  /// By the rule of `sheaf`. The hull has at most 2 * Views posts: Posts >= 2 * Views never loses one.
+  /// Builds by the rule of `sheaf`. The hull has at most 2 * Views posts: Posts >= 2 * Views never loses one.
   void build(std::span<const SheafView> views) {
     clear();
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -177,8 +177,8 @@ class PlaneSheaf {
     finish(views);
   }
 
-  /// By the rule of `sheaf_paper`. When the store has thinned out, the widest pairs may be gone: the hull is then
-  /// smaller, never larger, than that of all views. Its planes are not kept: for_each_paper_plane.
+  /// Builds by the rule of `sheaf_paper`. When the store has thinned out, the widest pairs may be gone: the hull is
+  /// then smaller, never larger, than that of all views. Its planes are not kept: for_each_paper_plane.
   void build_paper(std::span<const SheafView> views) {
     clear();
     for_each_paper_plane(views, [this](const SheafPlane& plane) { add_posts(plane); });
@@ -189,7 +189,7 @@ class PlaneSheaf {
   [[nodiscard]] std::span<const Vec2> hull() const {
     return {hull_.data(), refusal_ == SheafRefusal::kNone ? size_ : 0};
   }
-  /// Of build() only; posts that were trimmed are missing.
+  /// Planes of build() only; posts that were trimmed are missing.
   [[nodiscard]] std::span<const SheafPlane> planes() const { return planes_.view(); }
   [[nodiscard]] SheafRefusal refusal() const { return refusal_; }
   [[nodiscard]] std::uint32_t posts() const { return posts_; }

@@ -159,8 +159,8 @@ struct Choice {
   float gap;
 };
 
-// Of the known views, when two more come after them: the oldest of those with the smallest gap. `last`: the first one
-// of the two, which may go as well.
+// Chooses among the known views, when two more come after them: the oldest of those with the smallest gap. `last`: the
+// first one of the two, which may go as well.
 [[gnu::always_inline]] inline Choice choose(const Columns& all, std::size_t known, const SheafView& last,
                                             const SheafView& newcomer) {
   Nearest of_last;

@@ -62,7 +62,7 @@ struct Examples {
   std::optional<Decision> least_sure_mismatch;
   std::array<std::optional<Decision>, kMatchOutcomes> outcomes;  ///< the first of each by an algorithm of the paper
 
-  /// Of a sequence of images; `found` says of which scene and algorithm.
+  /// Adds examples of a sequence of images; `found` names its scene and algorithm.
   void add(const Sequence& sequence, Decision found);
   [[nodiscard]] bool complete() const;
 };
@@ -107,7 +107,7 @@ double measure_of(const Score& score, double Score::*what);
 /// Mean of measure_of() over sequences, for the yellow landmark; not a number of none.
 double mean_score(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images,
                   double Score::*what);
-/// Of these models, how many are empty.
+/// How many of these models are empty.
 std::size_t count_empty(std::span<const SequenceData> sequences, std::size_t algorithm, std::size_t images);
 
 }  // namespace fencepost::host

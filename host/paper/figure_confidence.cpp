@@ -69,7 +69,7 @@ Range range_of(const std::vector<Reacquisition>& sequence) {
   return range;
 }
 
-/// Of the lines through the paper's algorithms' points, on both sides of half new.
+/// The lines through the paper's algorithms' points, on both sides of half new.
 struct Segments {
   std::size_t fitted = 0;
   std::size_t downward = 0;

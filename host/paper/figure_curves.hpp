@@ -29,8 +29,8 @@ struct Slope {
   [[nodiscard]] bool falls() const { return value < -2 * sigma; }
 };
 
-/// Of the least-squares line, x being a share. Empty if nothing can be fitted: fewer than three points, or all x are
-/// the same but for rounding.
+/// Slope of the least-squares line, x being a share. Empty if nothing can be fitted: fewer than three points, or all x
+/// are the same but for rounding.
 std::optional<Slope> slope(const std::vector<Point>& points);
 
 /// The points whose x is in one of the equal parts of a range.

@@ -74,7 +74,7 @@ void say_of_weights(PaperFigure& fig) {
   fig.claims.back().of_scenes = false;
 }
 
-/// Of the landmark's own region, the widest; nothing if it is not in the image.
+/// The widest of the landmark's own regions; nothing if it is not in the image.
 const Region* own_region(const RealImage& image, std::size_t landmark) {
   const Region* widest = nullptr;
   for (std::size_t i = 0; i < image.regions.size(); ++i) {

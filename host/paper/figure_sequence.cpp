@@ -51,7 +51,7 @@ double radius_change(const SequenceData& data) {
   return radii.empty() ? 0 : sum / static_cast<double>(radii.size());
 }
 
-/// Of the lens over the object, between its first two images, degrees.
+/// Angle of the lens around the object, between its first two images, degrees.
 double angle_between_first_two(const Tour& tour) {
   const Point middle = centroid(tour.scene.objects[kYellowLandmark].footprint);
   const auto bearing = [&](std::size_t frame) {

@@ -96,7 +96,7 @@ class Follower final : public RunObserver {
  private:
   // Describing an object costs as much as all its models.
   [[nodiscard]] bool snapshots_before_end() const { return !after_.empty() && after_.front() < tour_.frames.size(); }
-  // Of the camera's largest region inside the box: the robot may have joined several.
+  // The colour of the camera's largest region inside the box: the robot may have joined several.
   [[nodiscard]] Colour colour_in(std::size_t frame, const recon::Box& box) const {
     for (const Region& region : tour_.images[frame].regions) {
       const bool inside = region.left > box.x1 - 1 && region.right < box.x2 + 1 && region.top > box.y1 - 1 &&

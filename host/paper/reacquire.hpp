@@ -39,7 +39,7 @@ std::vector<Solid> world_of(const Tour& tour, const Models& models, const Algori
 std::vector<Reacquisition> reacquire_both(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world,
                                           std::size_t frame);
 
-/// By landmark (red, yellow) and frame.
+/// Results by landmark (red, yellow) and frame.
 using Sequence = std::vector<std::vector<Reacquisition>>;
 Sequence reacquire_all(const Tour& tour, RegionRenderer& renderer, const std::vector<Solid>& world);
 
@@ -63,7 +63,7 @@ struct ReacquisitionScore {
 double area_under_curve(const std::vector<double>& right, const std::vector<double>& wrong);
 
 double mean(const std::vector<double>& values);  ///< 0 of none
-/// Of the mean; 0 for fewer than two.
+/// Standard error of the mean; 0 for fewer than two.
 double standard_error(const std::vector<double>& values);
 
 }  // namespace fencepost::host

@@ -38,7 +38,7 @@ RealImage image_of(const FrameTruth& truth, std::uint64_t seed) {
   return image;
 }
 
-/// Of each frame of the scene without noise.
+/// Hidden ends in each frame of the scene without noise.
 std::vector<std::vector<HiddenEnds>> hidden_ends(Scene scene) {
   scene.noise = {};
   std::vector<std::vector<HiddenEnds>> frames;

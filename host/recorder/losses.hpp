@@ -33,7 +33,7 @@ class Losses {
   [[nodiscard]] std::uint64_t frames_missing() const { return frames_missing_; }
   /// Since the first FPSTA; a robot that boots again counts from zero.
   [[nodiscard]] const ReportedLosses& reported() const { return reported_; }
-  /// By device: the state last reported, of the first 64.
+  /// The state last reported by each device, of the first 64.
   [[nodiscard]] const std::map<std::string, record::LinkReport>& links() const { return links_; }
 
  private:

@@ -24,7 +24,7 @@ bool writable() {
   return ::poll(&wait, 1, 0) > 0;
 }
 
-/// Of a sentence that begins with an urgent level.
+/// Colour of a sentence that begins with an urgent level.
 std::string_view colour_of(std::string_view line) {
   if (line.starts_with("STOP ")) return "\x1b[1;31m";
   if (line.starts_with("BLIND ")) return "\x1b[1;35m";

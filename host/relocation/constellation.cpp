@@ -131,7 +131,7 @@ struct Judge {
     turn = kBend;
   }
 
-  // That a place drawn at random in the known map's region comes as near to one of its kind.
+  // Probability that a place drawn at random in the known map's region comes as near to one of its kind.
   [[nodiscard]] float chance_of(std::size_t s, const Vec2& place) const {
     float area = 0;
     for (const ConstellationPoint& point : known.points) {

@@ -152,7 +152,7 @@ class ConstellationSearch {
   std::uint32_t strangers_ = 0;  ///< motions tried that are not the best one
 };
 
-/// Of a finished search.
+/// Judges a finished search.
 JoinResult verdict_of(std::size_t in_common, const JoinQuality& best, const JoinQuality& rival, std::uint32_t motions,
                       const FrameMotion& motion);
 

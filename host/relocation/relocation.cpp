@@ -52,7 +52,7 @@ Covariance2 covariance_of(const RangedSighting& sighted, const Vec2& rotation) {
   return c;
 }
 
-// Of where the thing is, by place and rotation.
+// Derivative of the thing's place, by place and rotation.
 Row3 jacobian(const Vec2& away) {
   Row3 j;
   j << 1, 0, -away.y(), 0, 1, away.x();

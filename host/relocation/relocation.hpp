@@ -37,7 +37,7 @@ struct KnownRadius {
 /// Nothing: the map has no such thing.
 std::optional<KnownRadius> radius_of(std::span<const ConstellationPoint> known, std::uint8_t signature);
 
-/// By width and foot. Nothing where an end is cut off, or no range follows to a third of itself.
+/// Range by width and foot. Nothing where an end is cut off, or the range's sigma exceeds a third of it.
 std::optional<RangedSighting> ranged(const Sighting& sighting, const KnownRadius& radius,
                                      const MeasurementNoise& noise);
 

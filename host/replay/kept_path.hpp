@@ -34,7 +34,7 @@ class KeptPath {
     if (count_ > 0 && (count_ - 1) % step_ != 0) path.push_back(last_);
     return path;
   }
-  /// Of those added.
+  /// Number of added poses.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 

@@ -46,9 +46,9 @@ class LogReplay {
   /// Why none of it could be used, if so; `name` of the log in the message. After `finish`.
   [[nodiscard]] std::optional<Unreadable> why_unreadable(const std::string& name) const;
 
-  /// Of this run, every sample, or with `options.most_poses` the first and every n-th.
+  /// Poses of this run: every sample, or with `options.most_poses` the first and every n-th.
   [[nodiscard]] const std::vector<PoseResult>& path() const { return path_.poses(); }
-  /// Of this run, all samples.
+  /// Number of all samples of this run.
   [[nodiscard]] std::uint64_t path_count() const { return path_.count(); }
   /// The time of the latest input of this run, s.
   [[nodiscard]] double time() const { return time_; }

@@ -24,7 +24,7 @@ struct ModelResult {
   MultiPolygon geometry;         ///< map frame, metres
   std::optional<Circle> circle;  ///< cylinders only
   std::string reason;
-  /// Of a hybrid: the parts of its outline of which no edge was seen. It may go on there.
+  /// The parts of a hybrid's outline of which no edge was seen. The object may go on there.
   std::vector<Polyline> open{};
 };
 

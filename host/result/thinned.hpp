@@ -1,4 +1,4 @@
-// Of a long run as much as can be seen in a picture of it.
+// Thins a long run to as much as a picture of it can show.
 #pragma once
 
 #include <cstddef>

@@ -42,7 +42,7 @@ Json pose_json(const std::optional<PoseResult>& pose) {
           {"heading", rounded(pose->heading, kLengthDecimals)}};
 }
 
-// Of a longer one every n-th point, and the last.
+// A longer path has every n-th point, and the last.
 Json path_json(const std::vector<PoseResult>& path) {
   constexpr std::size_t kMax = 2'000;
   const std::size_t step = path.size() <= kMax ? 1 : (path.size() - 2) / (kMax - 1) + 1;

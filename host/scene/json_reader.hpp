@@ -31,7 +31,7 @@ class JsonNode {
   /// Fails unless this is an object with no other keys than `allowed`; names the nearest one.
   void expect_keys(std::initializer_list<std::string_view> allowed) const;
   [[nodiscard]] bool has(std::string_view key) const;
-  /// Of an object.
+  /// The keys of an object.
   [[nodiscard]] std::vector<std::string> keys() const;
   /// The member; fails when it is missing.
   [[nodiscard]] JsonNode at(std::string_view key) const;

@@ -10,7 +10,7 @@ namespace fencepost::host {
 
 namespace {
 
-/// Of one footprint: where two outlines cross, every edge may cross every other one.
+/// Maximum corners of one footprint: where two outlines cross, every edge may cross every other one.
 constexpr std::size_t kMaxCorners = 500;
 
 LinearRing read_ring(const JsonNode& node) {

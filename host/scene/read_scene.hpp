@@ -18,7 +18,7 @@ LinearRing read_outline(const JsonNode& node);
 /// "robot": front, rear and width, or a footprint.
 RobotBody read_robot_body(const JsonNode& node);
 void read_path(const JsonNode& node, Scene& scene);
-/// Of an object: poses.
+/// Poses of an object.
 std::vector<TimedPose> read_object_path(const JsonNode& node);
 /// Times lie between 0 and this, s; the stream's clock ends at 999999.
 inline constexpr double kLongestRun = 900'000;

@@ -61,7 +61,7 @@ double number(std::string_view text, const std::string& key, const std::string& 
   return numbers_in(value_of(text, key, name), key, name).front();
 }
 
-/// Of a matrix: those behind its "data:".
+/// Numbers of a matrix: those behind its "data:".
 std::vector<double> numbers(std::string_view text, const std::string& key, const std::string& name) {
   const std::string_view matrix = value_of(text, key, name);
   const std::size_t data = matrix.find("data:");

@@ -46,7 +46,7 @@ std::optional<CameraStand> stand_at(const std::vector<CameraStand>& path, double
   return stand;
 }
 
-/// By their times. `unplaced`: images with a time at which there is no pose.
+/// Finds each image's pose by its time. `unplaced`: images with a time at which there is no pose.
 std::vector<CameraStand> stands_of(const std::vector<CameraStand>& path, const std::vector<std::string>& images,
                                    const std::string& file, std::size_t& unplaced) {
   std::vector<CameraStand> stands;

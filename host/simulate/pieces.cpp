@@ -86,7 +86,7 @@ void add_run(Piece& piece, const Run& run, int v, const LabelImage& image) {
   piece.sum_v += count * v;
 }
 
-// Of an object that stands apart.
+// The piece of an object that stands apart.
 Piece whole_piece(const LabelImage& image, std::size_t object) {
   const Silhouette& silhouette = image.silhouette(object);
   Piece piece;
@@ -114,7 +114,7 @@ void name_objects(Piece& piece, const std::map<std::size_t, std::int64_t>& pixel
   }
 }
 
-// Of the objects that are drawn; their others and owners are named.
+// Finds the pieces of the objects that are drawn; their others and owners are named.
 void find_drawn_pieces(const LabelImage& image, std::span<const std::uint8_t> signatures, std::vector<Piece>& pieces) {
   const PixelBox& area = image.touched();
   if (area.empty()) return;

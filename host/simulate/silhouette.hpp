@@ -31,12 +31,12 @@ class Silhouette {
   /// It is one connected piece, and no ray meets the solid twice: `box` and `columns` are complete.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] const PixelBox& box() const { return box_; }
-  /// Of the box, from its first column to its last; only if `whole`.
+  /// Runs of the box, from its first column to its last; only if `whole`.
   [[nodiscard]] const std::vector<ColumnRun>& columns() const { return columns_; }
   [[nodiscard]] bool covers(int u, int v) const;
   /// No pixel outside of it shows the solid, whole or not. Empty: nothing does.
   [[nodiscard]] const PixelBox& bounds() const { return bounds_; }
-  /// Of the ray through that column of the bounds, nearest first.
+  /// Stretches of the ray through that column of the bounds, nearest first.
   [[nodiscard]] std::span<const Stretch> stretches(int u) const {
     const std::size_t begin = stretch_begin_[static_cast<std::size_t>(u - bounds_.x1)];
     return std::span(stretches_).subspan(begin, stretch_begin_[static_cast<std::size_t>(u - bounds_.x1) + 1] - begin);

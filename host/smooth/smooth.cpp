@@ -96,7 +96,7 @@ Attempt attempt_from(const DriveLog& log, const ReplayOutcome& replayed) {
   return {start_with(log, {kMaxFrames, kMaxNodes, kMinViews, true}, replayed.result.path), 0, 0, {}, 0, {}};
 }
 
-/// By one rough solution: the odometry strays so far that objects seen again were not known again without correction.
+/// Decides by one rough solution: without correction, the odometry strays so far that objects are not recognised again.
 bool strays_too_far(Attempt attempt, const SolverOptions& options) {
   constexpr double kTooFar = 3;
   if (attempt.started.estimate.objects.empty()) return true;
@@ -162,7 +162,7 @@ bool by_odometry_alone(const DriveLog& log, const std::vector<PoseResult>& path)
 }  // namespace
 
 SmoothOutcome smooth(std::string_view bytes, const std::string& name, const SmoothOptions& options) {
-  // Of about equal length: reading, whether to read again, each round, the objects in the end.
+  // Steps of about equal length: reading, whether to read again, each round, the objects in the end.
   constexpr double kSteps = 2 + kRounds + 1;
   double steps = 0;
   const auto step_done = [&] {

@@ -11,7 +11,7 @@ struct z_stream_s;
 
 namespace fencepost::host {
 
-/// By the first two bytes.
+/// Decides by the first two bytes.
 bool is_gzip(std::string_view bytes);
 
 /// Maximum bytes, unpacked, of a file that is read as a whole: an hour of driving has 9 MB. A few KB of gzip can become

@@ -8,7 +8,7 @@ namespace {
 
 using segmenter::ColourRange;
 
-/// Of the mean of red, green and blue: one level of noise is a share of 1/48 there.
+/// Minimum mean of red, green and blue: one level of noise is a share of 1/48 there.
 constexpr int kMinBrightness = 16;
 /// Factor by which light may fall.
 constexpr int kLightFalls = 4;

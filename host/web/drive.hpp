@@ -18,7 +18,7 @@ struct MapScore {
   std::optional<double> recklessness;  ///< share of the true footprints that the map does not enclose
   std::optional<double> paranoia;      ///< share of the map where nothing stands; nothing of a map without area
 };
-/// Of all outlines of the hybrid but tentative ones, against the footprints at `t` that the camera can report.
+/// Scores all outlines of the hybrid but tentative ones, against the footprints at `t` that the camera can report.
 MapScore map_score(const std::vector<ObjectResult>& objects, const Scene& scene, double t);
 std::string to_json(const MapScore& score);
 

@@ -68,7 +68,7 @@ std::optional<std::string> with_given(std::string_view page, std::string_view gi
 
 std::optional<std::string> page_with(std::string_view page, const std::vector<GivenLog>& logs,
                                      std::string_view profile) {
-  // By hand where the logs are: they may be long, and hold nothing to escape.
+  // JSON by hand where the logs are: they may be long, and hold nothing to escape.
   std::string given = "{\"logs\":[";
   for (const GivenLog& log : logs) {
     if (&log != &logs.front()) given += ',';

@@ -19,14 +19,14 @@ std::string colour_word(sensor::Rgb rgb);
 
 class Webcam {
  public:
-  /// Of each picture, px: at most segmenter::kWidth along each side.
+  /// Size of each picture, px: at most segmenter::kWidth along each side.
   Webcam(std::uint16_t width, std::uint16_t height);
   Webcam(const Webcam&) = delete;
   Webcam& operator=(const Webcam&) = delete;
 
   /// Where the next picture is put: red, green, blue and something else of each pixel, rows from the top.
   [[nodiscard]] std::span<std::uint8_t> pixels() { return rgba_; }
-  /// That picture came at `t`, s on any clock that does not go back. False: the run has ended.
+  /// Takes a picture that came at `t`, s on any clock that does not go back. False: the run has ended.
   bool look(double t);
 
   /// Trains the colour around a pixel of the latest picture. A colour that was found there is trained anew.

@@ -29,7 +29,7 @@ class ColourMeter {
 
   /// `camera`: without one nothing is known of borders.
   void add(const sensor::BlobFrame& frame, const std::optional<sensor::CameraIntrinsics>& camera);
-  /// Of each signature that was seen.
+  /// Qualities of each signature that was seen.
   [[nodiscard]] std::vector<ColourQuality> qualities() const;
 
  private:

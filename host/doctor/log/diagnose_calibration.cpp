@@ -66,7 +66,7 @@ void check_mount(const sensor::CameraIntrinsics& camera, Findings& findings) {
   }
 }
 
-/// Of a camera whose maker does not say otherwise.
+/// Checks a camera whose maker does not say otherwise for oblong pixels.
 void check_oblong(const sensor::CameraIntrinsics& camera, Findings& findings) {
   const double fx = camera.fx.to_double();
   const double fy = camera.fy.to_double();

@@ -52,12 +52,12 @@ std::vector<devices::DeviceSpec> who_answers(const std::string& path, const Prob
 Findings examine_device(const devices::DeviceSpec& spec, const RobotFile& robot, const Roots& roots,
                         const Identity& who, const ProbeTimes& times, const Interrupted& interrupted);
 
-/// Of a serial port by whatever is behind it: no_port, no_permission, busy, silent, or an `answers` for each device
+/// Examines a serial port whatever is behind it: no_port, no_permission, busy, silent, or an `answers` for each device
 /// that it may be.
 Findings examine_port(const std::string& path, const Roots& roots, const Identity& who, const ProbeTimes& times,
                       const Interrupted& interrupted);
 
-/// Of a path: no_port, no_permission, busy; nothing where it can be opened.
+/// Examines a path: no_port, no_permission, busy; nothing where it can be opened.
 std::optional<Finding> examine_node(const std::string& path, const Roots& roots, const Identity& who);
 
 }  // namespace fencepost::host::doctor

@@ -47,7 +47,7 @@ class CmuCamDevice {
   /// One image has been taken: the packet, if any is due.
   std::string frame(std::span<const ColouredSpot> spots);
   [[nodiscard]] bool tracking() const { return tracking_; }
-  /// That BM has set since the start; 0: as at the start.
+  /// Baud rate that BM has set since the start; 0: as at the start.
   [[nodiscard]] std::uint32_t baud() const { return baud_; }
   /// Commands that it does not know, and those that it accepts though they change nothing here.
   [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }

@@ -259,7 +259,7 @@ int CreateDevice::word(int id) {
 
 std::string CreateDevice::frame() {
   if (!streaming_) return {};
-  // Of a longer list than fits, frames come as the line takes them.
+  // Frames of a list longer than fits come as the line takes them.
   const std::size_t fits = model_ == CreateModel::kOne ? kFitsInOne : kFitsInTwo;
   unsent_ -= std::min(unsent_, fits);
   if (unsent_ > 0) return {};

@@ -54,7 +54,7 @@ class DeviceModel {
   [[nodiscard]] virtual bool in_use() const = 0;
   /// It sends unasked, so being connected is being in use.
   [[nodiscard]] virtual bool talks_unasked() const { return false; }
-  /// That the host has changed it to; 0: as it was.
+  /// Baud rate that the host has set; 0: as it was.
   [[nodiscard]] virtual std::uint32_t baud() const { return 0; }
   /// Commands of the host that this model does not know or only acknowledges, by their names.
   [[nodiscard]] virtual std::vector<std::string> not_emulated() const { return {}; }

@@ -28,7 +28,7 @@ void put_block(Bytes& bytes, const sensor::Blob& blob) {
   put(bytes, 0xFF00U);
 }
 
-/// Of a request that is acknowledged alone.
+/// Name of a request that is acknowledged alone.
 std::string_view without_effect(std::uint8_t type) {
   switch (type) {
     case 0x10: return "brightness";

@@ -11,7 +11,7 @@
 
 namespace fencepost::emulate {
 
-/// Of both wheels.
+/// Dimensions of the wheels.
 struct WheelShape {
   double tick = 0;   ///< m of the rim a count
   double track = 0;  ///< m between the wheels

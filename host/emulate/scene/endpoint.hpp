@@ -54,7 +54,7 @@ class Endpoint {
 
   [[nodiscard]] const std::string& name() const { return settings_.name; }
   [[nodiscard]] const EmulatedDevice& device() const { return settings_.device; }
-  /// Of the line, as the host has changed it; 0: as fast as it goes.
+  /// Baud rate of the line, as the host has changed it; 0: as fast as it goes.
   [[nodiscard]] std::uint32_t baud() const { return baud_; }
 
   /// The host has opened or closed its end.

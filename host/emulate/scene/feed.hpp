@@ -24,7 +24,7 @@ struct Feed {
   std::vector<std::string> notes;  ///< parts that were not used, a sentence each
   std::string problem;             ///< why nothing can be played; empty if something can
 
-  /// Of the first frame or pose, and of the last.
+  /// Times of the first frame or pose, and of the last.
   [[nodiscard]] base::Time begin() const;
   [[nodiscard]] base::Time end() const;
   [[nodiscard]] std::optional<sensor::Rgb> colour_of(std::uint8_t signature) const;

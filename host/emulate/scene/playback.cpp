@@ -68,7 +68,7 @@ std::optional<base::Time> Playback::next_record() const {
   return first;
 }
 
-// Of one time, the pose first: a frame that arrives together with its pose comes after it.
+// At equal times the pose comes first: a frame that arrives together with its pose follows it.
 void Playback::dispatch(base::Time now) {
   if (pose_ < feed_.poses.size() && when(feed_.poses[pose_].t) <= now) {
     for (const auto& endpoint : endpoints_) endpoint->pose(feed_.poses[pose_], now);

@@ -7,7 +7,7 @@
 namespace fencepost::emulate {
 namespace {
 
-// Of two positions in units of 0.1 mm, and of the heading between them.
+// m: rounding of two positions in units of 0.1 mm, and of the heading between them.
 constexpr double kRounding = 1.5e-4;
 
 double arc_by_chord(double half_turn) { return std::abs(half_turn) < 1e-9 ? 1 : half_turn / std::sin(half_turn); }

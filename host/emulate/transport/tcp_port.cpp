@@ -80,7 +80,7 @@ class TcpPort final : public Transport {
     if (!listener_.open()) return false;
     // Whoever calls when the last host has just gone waits until that was read to its end.
     if (leaving()) return true;
-    // Of two hosts on one cable only the first can be; the other sees its connection closed.
+    // One cable has one host: the second one's connection is closed.
     Descriptor caller(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (caller.open() && !host_.open()) {
       const int on = 1;

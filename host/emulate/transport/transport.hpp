@@ -27,9 +27,9 @@ class Transport {
   virtual std::string plug_in() = 0;
   /// For WaitSet while a host is there.
   [[nodiscard]] virtual int descriptor() const = 0;
-  /// That a host finds when it opens the port, as if it had set it. 0: as the system has it.
+  /// Baud rate that a host finds when it opens the port, as if it had set it. 0: as the system has it.
   virtual void preset_baud(std::uint32_t /*baud*/) {}
-  /// That the host has set its end to; 0 where there is none.
+  /// Baud rate that the host has set at its end; 0 where there is none.
   [[nodiscard]] virtual std::uint32_t host_baud() const { return 0; }
 };
 

@@ -76,7 +76,7 @@ class Encoding {
   /// Nothing: this vocabulary says it by another, static transforms by kTransforms.
   [[nodiscard]] virtual std::optional<Channel> channel(Topic topic) const = 0;
 
-  /// Of the whole file.
+  /// Adds the metadata of the whole file.
   virtual void add_metadata(McapWriter& /*writer*/) const {}
 
   [[nodiscard]] virtual std::string transforms(double t, std::span<const Placement> placements) const = 0;

@@ -26,7 +26,7 @@ Json vector() { return object({{"x", kNumber}, {"y", kNumber}, {"z", kNumber}});
 Json quaternion() { return object({{"x", kNumber}, {"y", kNumber}, {"z", kNumber}, {"w", kNumber}}); }
 Json pose() { return object({{"position", vector()}, {"orientation", quaternion()}}); }
 Json colour() { return object({{"r", kNumber}, {"g", kNumber}, {"b", kNumber}, {"a", kNumber}}); }
-/// Of ROS 2.
+/// The header of ROS 2.
 Json header() { return object({{"stamp", object({{"sec", kInteger}, {"nanosec", kInteger}})}, {"frame_id", kString}}); }
 
 std::string titled(const char* title, Json schema) {

@@ -206,7 +206,7 @@ Turn Turn::of(double yaw, double pitch) {
 }
 
 Stamp::Stamp(double t) {
-  // Of tenths of a millisecond, the robot's clock: nanoseconds of a double would show its last bits.
+  // Rounded to tenths of a millisecond, the robot's clock: nanoseconds of a double would show its last bits.
   constexpr std::int64_t kTicks = 10'000;
   const std::int64_t ticks = std::max<std::int64_t>(0, std::llround(t * kTicks));
   seconds = ticks / kTicks;

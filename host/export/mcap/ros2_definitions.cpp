@@ -9,7 +9,7 @@
 namespace fencepost::host::exports {
 namespace {
 
-/// By package and name; fields in order, with constants before those whose values they are.
+/// Fields by package and name, in order, with constants before the fields that use them.
 const std::map<std::string, std::string, std::less<>>& fields_by_type() {
   static const std::map<std::string, std::string, std::less<>> kFields = {
       {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},

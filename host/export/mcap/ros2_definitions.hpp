@@ -7,7 +7,7 @@
 
 namespace fencepost::host::exports {
 
-/// Of "nav_msgs/msg/Odometry" and the like. errors: std::out_of_range: a type that is not among ours
+/// Definition of a type such as "nav_msgs/msg/Odometry". errors: std::out_of_range: a type that is not among ours
 std::string ros2_definition(std::string_view type);
 
 }  // namespace fencepost::host::exports

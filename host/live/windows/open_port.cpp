@@ -1,4 +1,4 @@
-// Of the ports, serial ones alone: for the others see hal/windows/README.md.
+// Opens serial ports only: for the others see hal/windows/README.md.
 #include "host/live/open_port.hpp"
 
 #include "hal/linux/tty.hpp"

@@ -22,7 +22,7 @@ const BOARDS = {
   microbit_v2: { name: "micro:bit v2", usb: "daplink", drive: "MICROBIT", steps: ["stepMicrobit", "stepDrag"] },
   gba: { name: "Game Boy Advance", card: true, steps: ["stepCartridge"] },
 };
-// By WebUSB: the file that it takes, who writes it, and the device's number for Linux.
+// Writers by WebUSB: the file that each takes, its class, and the device's number for Linux.
 const WRITERS = {
   rp2040: { format: "uf2", choose: (usb) => Picoboot.choose(usb, RP2040), device: "2e8a:0003" },
   rp2350: { format: "uf2", choose: (usb) => Picoboot.choose(usb, RP2350), device: "2e8a:000f" },
@@ -55,7 +55,7 @@ function requestOf(about) {
 /** `$FPCFG` lines that a robot keeps: [[key, value]]. */
 const keptBy = (lines) => lines.map((line) => /^\$FPCFG,([^,]*),([^*]*)\*/.exec(line)).filter(Boolean).map(([, key, wanted]) => [key, wanted]);
 
-// Of `status`, the line of settings: the one of links has both words, too.
+// In the answer of `status`, the line of settings: the one of links has both words, too.
 const ANSWERED = /^camera (?!link )(\S+)[^\n]*; odometry (\w+)[^\n]*\n/m;
 const CALIBRATED = /^\$FPCAM,[^\n]*\n/m;  // with where it is mounted
 

@@ -7,7 +7,7 @@ import { timeAt } from "./timeline.js";
 import { objectAt, truthAt } from "./window.js";
 import { t } from "./words.js";
 
-/** Of the map: buttons, in their order. */
+/** Buttons of the map's views, in their order. */
 const VIEWS = ["top", "solid", "behind", "eye"];
 
 /** The map, its buttons and the pointer. */

@@ -13,7 +13,7 @@ function extent(points) {
   return [u1, v1, u2, v2];
 }
 
-// Of a large outline the name stands beside the mark in its middle.
+// A large outline's name is beside the mark in its middle.
 function placeOf(window, object) {
   const [u, v] = window.toPage(centreOf(object));
   const [u1, v1, u2, v2] = extent(outlineOf(object).map((p) => window.toPage(p)));

@@ -114,7 +114,7 @@ export function sweptRing(body, reach, curvature) {
   return [...side(-body.lane), ...side(body.lane).reverse()];
 }
 
-/** By object: the level in force at `t`, 0 being the guard's. */
+/** The level in force at `t` by object, 0 being the guard. */
 export function levelsAt(alerts, t) {
   const levels = new Map();
   for (const alert of alerts) {

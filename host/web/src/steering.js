@@ -48,7 +48,7 @@ export class Steering {
     return [-live(pad.axes[1] ?? 0) + held(12) - held(13), -live(pad.axes[0] ?? 0) + held(14) - held(15)];
   }
 
-  /** Of all of them. */
+  /** The sum of all inputs, each axis from -1 to 1. */
   now() {
     const all = [...[...this.#pressed].map((name) => KEYS[name]), this.#pad.map(live), this.#gamepad()];
     const sum = (axis) => Math.max(-1, Math.min(1, all.reduce((total, one) => total + one[axis], 0)));

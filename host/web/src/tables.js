@@ -59,7 +59,7 @@ export function fillAlerts(table, { result, at, go }) {
   return [first, first + shown.length];
 }
 
-/** Of the whole run, also where its alerts were thinned. */
+/** Counts of the whole run, also where its alerts were thinned. */
 export const countsOf = ({ result, counts }) =>
   counts ?? { alerts: result.alerts.length, stops: result.alerts.filter((alert) => alert.level === "stop").length };
 

@@ -56,7 +56,8 @@ FENCEPOST_EXPORT(open)(std::uint32_t profile)->void {
 FENCEPOST_EXPORT(input)()->char* { return page::input.data(); }
 FENCEPOST_EXPORT(input_size)()->std::size_t { return page::input.size(); }
 
-/// Of `size` bytes at `input`, how many were used: up to the first input at or after `until`, s, or to a new run.
+/// Feeds `size` bytes at `input` and returns the number used: up to the first input at or after `until`, s, or to a new
+/// run.
 FENCEPOST_EXPORT(feed)(std::size_t size, double until)->std::size_t {
   return page::replayed->feed({page::input.data(), size}, until);
 }
