@@ -24,8 +24,8 @@ inline sensor::Blob moving_box(std::int64_t image, std::int64_t columns, std::in
           0, {}};
 }
 
-/// Common to all camera rigs. `scene` is what each image shows; or `moving`: a different box in each image, so that a
-/// damaged or an old one cannot be taken for the right one. `Self` has kWidth and kHeight of the driver's image and
+/// Common to all camera rigs. Each image shows `scene`. With `moving` each shows a different box, so that a damaged or
+/// an old one cannot be taken for the right one. `Self` has kWidth and kHeight of the driver's image and
 /// `blob_of(image)`, that box as the device is shown it. Where the driver gives another blob, it has is(frame, image).
 template <class Self, class Thing = sensor::Blob>
 struct CameraRig {

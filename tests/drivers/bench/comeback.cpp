@@ -72,7 +72,7 @@ class Silences {
         calm(round);
         subject_.plug().stall();
         subject_.pass(base::milliseconds(length));
-        // What it said meanwhile is lost: how long a buffer of that needs is not the driver's affair.
+        // Output during the stall is lost: how long a buffer of that needs is not the driver's affair.
         subject_.forget();
         subject_.plug().resume();
         worst_.stall = std::max(worst_.stall, until_right());

@@ -156,7 +156,7 @@ class RigSubject final : public Subject {
     return seen;
   }
 
-  // What the driver counted, under whatever name it has.
+  // The driver's counters, under whatever name it has.
   template <class Driver>
   static void note_counts(const Driver& driver, base::Fnv1a64& digest) {
     if constexpr (requires { driver.counts(); }) {

@@ -1,5 +1,6 @@
-// One hour on a bad bus: 1 % of the frames lost to bus errors, and every 20 s a stall, a restart of the controllers or
-// an unplug. CAN's own checksum leaves no damaged frame: what comes is right, and the way driven is too.
+// One hour on a bad bus. 1 % of the frames are lost to bus errors; every 20 s comes a stall, a restart of the
+// controllers or an unplug. CAN's own checksum leaves no damaged frame: frames that come are right, and so is the way
+// driven.
 #include <gtest/gtest.h>
 
 #include "tests/drivers/bench/can_rig.hpp"

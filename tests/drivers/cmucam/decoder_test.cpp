@@ -99,7 +99,7 @@ TEST(CmuCamDecoder, LinesThatAreAlmostPackets) {
   EXPECT_EQ(said("T  1 2 3 4 5 6 7 8 \r"), Said{"T 1 2 3 4 5 6 7 8@0"}) << "spaces more or less";
 }
 
-// What stood in the line before is none of this one.
+// A line keeps nothing of the one before it.
 TEST(CmuCamDecoder, ALineEndsWhereItEnds) {
   for (const char before : {'9', ' ', 'x'}) {
     Decoder decoder;

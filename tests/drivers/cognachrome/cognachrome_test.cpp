@@ -19,9 +19,9 @@ Bytes text(std::string_view said) { return test::bytes_of(said); }
 
 // A at column 120, row 80 with 600 pixels; B at 33, 210 is below the image: 110 here, 45 pixels.
 const Bytes kFrame = hex("FF 61 00 78 00 50 02 5C 62 00 21 00 6E 00 2D");
-const Bytes kMark = hex("FF");
+const Bytes kMark = hex("FF");  // of the next frame
 
-// 600 pixels: 23 columns, since 23 x 23 x 16 = 8464 is at most 600 x 15 = 9000, and 24 x 24 x 16 is not.
+// 600 pixels: 23 columns. 23 x 23 x 16 = 8464 is at most 600 x 15 = 9000, and 24 x 24 x 16 is not.
 const sensor::Blob kA{1, 109, 0, 131, 199, {1'200}, {800}, 600, {}};
 // 45 pixels: 6 columns, the sixth to the right of the middle.
 const sensor::Blob kB{2, 31, 0, 36, 199, {330}, {1'100}, 45, {}};
@@ -111,8 +111,8 @@ TEST(Cognachrome, WhatIsNoRecordOfHexBreaksItsFrame) {
 TEST(Cognachrome, BoxesEndAtTheImage) {
   EXPECT_EQ(blob_of(0, 0, 0, 600), (sensor::Blob{1, 0, 0, 11, 199, {0}, {0}, 600, {}}));
   EXPECT_EQ(blob_of(2, 249, 199, 1), (sensor::Blob{3, 249, 0, 249, 199, {2'490}, {1'990}, 1, {}}));
-  // As wide as a square of so many pixels that are 16/15 as wide as high: w w 16/15, so w = 1 up to four pixels, 2 up
-  // to nine.
+  // Pixels are 16/15 as wide as high, and a box is as wide as a square of its pixels. Its width is the
+  // largest w with w w 16/15 at most that number: w = 1 up to four pixels, 2 up to nine.
   for (const auto& [pixels, width] : {std::pair(1, 1), {4, 1}, {5, 2}, {9, 2}, {10, 3}, {50'000, 216}}) {
     const std::optional<sensor::Blob> blob = blob_of(0, 120, 10, pixels);
     EXPECT_EQ(blob->x2 - blob->x1 + 1, width) << pixels;

@@ -45,8 +45,9 @@ struct CognachromeRig : CameraRig<CognachromeRig> {
   cognachrome::Camera<Link> driver;
 };
 
-// There is no checksum at all; a start is five prompts, begun anew when a byte of theirs was damaged.
+// There is no checksum at all.
 constexpr double kCognachromeSum = 0.1;
+// A start is five prompts, begun anew when a byte of theirs was damaged.
 const RegisteredCase kCognachrome{hostile_case<CognachromeRig, 2>(
     "cognachrome:tty", {kCognachromeSum, 100'000, base::milliseconds(30'000), base::milliseconds(1'000)})};
 

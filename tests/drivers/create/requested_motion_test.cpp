@@ -24,7 +24,8 @@ struct Robot {
   [[nodiscard]] std::int32_t heading() const { return motion.sample(t).heading.raw; }
 };
 
-// Told 1: between 1 and 2 mm; a quarter of a millimetre beyond is set to that end, else to the middle.
+// A reading of 1 mm means 1 to 2 mm. A prediction off by up to a quarter of a millimetre is set to that end, else to
+// the middle.
 TEST(RequestedMotion, AReadingOfWholeMillimetresLimitsWhatWasPredicted) {
   const struct {
     std::int32_t predicted, told, x;
@@ -65,7 +66,7 @@ TEST(RequestedMotion, WhatIsInPartAddsOnly) {
   EXPECT_EQ(turned.heading(), 465);
 }
 
-// 3 mm are no surprise yet. Told 3, the middle is 3.5 mm; told -3, the same behind.
+// 3 mm are no surprise yet. A reading of 3 has its middle at 3.5 mm; -3, the same behind.
 TEST(RequestedMotion, MoreThanThreeMillimetresOffAreASurprise) {
   for (const std::int32_t sign : {1, -1}) {
     for (const auto& [predicted, surprises] : {std::pair(5'000, 0U), {4'999, 1U}}) {

@@ -62,8 +62,8 @@ TEST(CreateSession, DrivesStraight) {
   }
 }
 
-// Right wheel forward, left back, by 4 counts a frame, 208 frames: 2 * 832 * 0.444565 / 235 = 3.1479 rad, a little more
-// than half a turn: -3.1353.
+// Right wheel forward, left back, by 4 counts a frame, 208 frames: 2 * 832 * 0.444565 / 235 = 3.1479 rad. That is a
+// little more than half a turn: -3.1353.
 TEST(CreateSession, TurnsOnTheSpot) {
   Rig rig(config_of(Model::kCreate2), CreateModel::kTwo);
   rig.run(90);
@@ -83,7 +83,7 @@ Config create1() {
   return config;
 }
 
-// A reading, 0 mm and 0 degrees at 100 mm/s, then requested speeds alone, left 100, right 90: after 15 ms 1.5 mm and,
+// A reading, 0 mm and 0 degrees at 100 mm/s, then requested speeds alone, left 100, right 90. After 15 ms 1.5 mm and,
 // on the mean of both, -0.075 mm / 258 mm = -0.00029 rad. Checksums without the header.
 TEST(CreateSession, ACreate1IsReadSeldom) {
   const auto reading = test::bytes_of(test::hex_text("13 0C 13 00 00 14 00 00 2A 00 64 29 00 64 B2"));
@@ -167,7 +167,7 @@ TEST(CreateSession, ACreate1ThatIsPushedIsReadMoreOften) {
   EXPECT_NEAR(degrees(rig.last), 90, 3);
 }
 
-// What it drove in 0.3 s is in the next reading, though it was driven unseen.
+// The next reading has the motion of the 0.3 s, though it was driven unseen.
 TEST(CreateSession, AShortUnplugCostsACreate1NoMotion) {
   Rig rig(create1(), CreateModel::kOne);
   rig.run(90);
@@ -266,7 +266,7 @@ TEST(CreateSession, CarriesCommandsOfWhoeverDrives) {
   EXPECT_EQ(sent, test::hex_text("80 84 94 02 2B 2C 91 00 64 00 64"));
 }
 
-/// What a session sends after its start, with a robot that streams: the commands alone.
+/// A session after its start, with a robot that streams: it sends the commands alone.
 class Driven : public ::testing::Test {
  protected:
   explicit Driven(Mode mode = Mode::kSafe) : rig(config_of(Model::kCreate2, mode), CreateModel::kTwo) { rig.run(100); }
@@ -409,7 +409,7 @@ TEST(CreateSession, ACreate1IsAskedForAReadingWhenItIsDue) {
   EXPECT_EQ(times, (std::vector<std::int64_t>{1'100, 1'200, 1'300, 1'400}));
 }
 
-// What was predicted until an impossible reading stands; the next one begins there.
+// The motion predicted before an impossible reading is kept; the next one begins there.
 TEST(CreateSession, AnImpossibleReadingIsPassedOver) {
   Session session(create1());
   const auto hear = [&](int distance, std::int64_t t) {
@@ -444,8 +444,8 @@ TEST(CreateSession, IsHeardForHalfASecond) {
   EXPECT_EQ(session.counts().starts, 2U);
 }
 
-// A reading after 0.9 s of a Create 1, whose wheels do 600 mm/s: 600 mm with the lateness of 0.1 s, and one for
-// rounding.
+// A reading after 0.9 s of a Create 1, whose wheels do 600 mm/s. The limit is 600 mm with the lateness of 0.1 s, and
+// one for rounding.
 TEST(CreateSession, ACreate1sReadingIsNoFurtherThanItsWheelsCanTurn) {
   for (const int sign : {1, -1}) {
     for (const auto& [mm, impossible] : {std::pair(601, 0U), {602, 1U}}) {
@@ -547,7 +547,7 @@ TEST(HostileCreate, DamageCostsNoMotion) {
   rig.run(1'000);
   RecordProperty("frames", static_cast<int>(rig.frames.size()));
   RecordProperty("implausible", static_cast<int>(rig.driver.session().counts().impossible));
-  // 720000 counts of 0.444565 mm. Two errors in a frame may cancel out in its sum: then, if the counts are beyond what
+  // 720000 counts of 0.444565 mm. Two errors in a frame may cancel out in its sum. If the counts are then beyond what
   // the wheels can do, the motion of two frames is lost, 2.7 mm.
   EXPECT_NEAR(rig.last.x.to_double(), 320.0868, 0.05);
   EXPECT_LT(rig.driver.session().counts().impossible, 10U);

@@ -20,7 +20,8 @@ using sensor::LinkState;
 using test::hex;
 using Bytes = std::vector<std::uint8_t>;
 
-// Of the vendor's document, with the sums computed.
+// Bytes of the vendor's document, with the sums computed.
+
 const Bytes kKnock = hex("55 AA 11 00 2C 3C");
 const Bytes kOk = hex("55 AA 11 00 2E 3E");
 const Bytes kColour = hex("55 AA 11 02 2D 04 00 43");
@@ -33,7 +34,7 @@ const Bytes kNone9 = hex("55 AA 11 0A 29 00 00 01 00 09 00 00 00 00 00 4D");
 const Bytes kUntaught = hex("55 AA 11 0A 29 00 00 00 00 09 00 00 00 00 00 4C");
 const Bytes kBusy = hex("55 AA 11 00 3D 4D");
 
-/// A session on a clock; what it says, and what it is told.
+/// A session on a clock; its output and its input.
 struct Talk {
   Session session{Options{}};
   Time now{};
@@ -246,7 +247,8 @@ TEST(HuskyLens, BeginsAnewAfterFiveLostAnswers) {
   EXPECT_EQ(talk.session.counts().timeouts, 5U);
 }
 
-// Of the vendor's library; the sums are those of the bytes before them.
+// Bytes of the vendor's library; the sums are those of the bytes before them.
+
 const Bytes kKnock2 = hex("55 AA 20 00 0A 00 00 00 00 00 00 00 00 00 00 29");
 const Bytes kColour2 = hex("55 AA 30 00 0A 05 00 00 00 00 00 00 00 00 00 3E");
 const Bytes kAskBlocks2 = hex("55 AA 21 05 00 25");
@@ -315,7 +317,7 @@ TEST(HuskyLens2, AnotherAlgorithmIsUnready) {
   EXPECT_EQ(talk.session.link(), LinkState::kUnready);
 }
 
-// While the loop was busy: of what it was told it remembers nothing.
+// It was switched off and on while the loop was busy, and remembers none of its settings.
 TEST(HuskyLens2, SwitchedOffAndOnUnnoticedItIsToldItsAlgorithmAnew) {
   fake::SteppedClock clock;
   emulate::HuskyLens2 device(clock.now());

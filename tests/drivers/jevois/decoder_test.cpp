@@ -39,9 +39,9 @@ sensor::Blob only(std::string_view line) {
   return reading.frames[0].blobs[0];
 }
 
-// The document's example: 320x240, centre (200, 90), 64 x 48 px: columns 168 to 231, rows 66 to 113. y = -188 is
-// rounded from -187.5, which is 0.08 pixels: the same rows.
+// The document's example: 320x240, centre (200, 90), 64 x 48 px: columns 168 to 231, rows 66 to 113.
 constexpr sensor::Blob kBall{7, 168, 66, 231, 113, {1'995}, {895}, 0, {}};
+// y = -188 is rounded from -187.5, which is 0.08 pixels: the same rows.
 constexpr std::string_view kExample = "12 MARK START\r\n12 N2 red_ball 250 -187.5 400 300\r\n12 MARK STOP\r\n";
 
 TEST(JevoisDecoder, TheWorkedExample) {

@@ -24,7 +24,7 @@ struct TalkBench {
   base::Time now{};
   Exchange exchange;
 
-  // What is sent next, within a second.
+  // The next telegram that is sent within a second.
   std::vector<std::uint8_t> next() {
     for (int ms = 0; ms < 1'000; ++ms) {
       if (const auto telegram = conversation.due(now)) return bytes_of(*telegram);

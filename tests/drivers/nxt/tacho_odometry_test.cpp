@@ -43,7 +43,7 @@ TEST(NxtTachoOdometry, TurnsOnTheSpot) {
   EXPECT_NEAR(bench.frames.back().x.to_double(), 0, 0.002);
 }
 
-// Driving straight over a slow link: the readings are 40 ms apart, at 360 degrees a second 14 counts; without the
+// Driving straight over a slow link: the readings are 40 ms apart, at 360 degrees a second 14 counts. Without the
 // interpolation the robot would seem to have turned by 14 x 0.489 mm / 112 mm = 0.06 rad.
 TEST(NxtTachoOdometry, ReadingsAtDifferentTimesAreNoTurn) {
   TachoBench bench;

@@ -39,7 +39,7 @@ TEST(SerialNxtCamera, AcknowledgingWithoutTrackingIsUnready) {
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
 }
 
-// What a stalled line held back comes bunched together: only the first of it counts, in order of time.
+// Frames held back by a stalled line come bunched together: only the first of them counts, in order of time.
 TEST(SerialNxtCamera, FramesHeldUpInOneHeapAreDropped) {
   SerialBench bench;
   bench.run(3'000, {kSerialRed});

@@ -79,7 +79,7 @@ TEST(AvrCam, WhatItsFirstBytesAre) {
   EXPECT_EQ(front(hex("0A 02 08 3C 28 50 46")).front, wire::Front::kDamaged);
   EXPECT_EQ(front(hex("0A 02 02 3C 28 50 46 08 64 64 78 82")).front, wire::Front::kDamaged) << "the second";
   EXPECT_EQ(front(hex("0A 02 02 3C 28 50 46 05 64 64 78 82")).front, wire::Front::kIncomplete);
-  // What follows a message is none of its objects.
+  // Bytes that follow a message are none of its objects.
   const auto followed = front(joined({hex(kTwo), hex("FF FF FF FF FF FF FF FF")}));
   EXPECT_EQ(followed.front, wire::Front::kMessage);
   EXPECT_EQ(followed.size, hex(kTwo).size());

@@ -271,7 +271,7 @@ TEST(CarDrive, ManyTurnsBySteeringAngleAreNotLost) {
   EXPECT_NEAR(pose.heading.to_double(), std::remainder(turned, 2 * std::numbers::pi), 3e-4);
 }
 
-/// What it has learnt, in 10^-4 rad/s, from readings 0.1 s apart.
+/// The learnt bias, in 10^-4 rad/s, from readings 0.1 s apart.
 std::optional<double> learnt(CarDrive& drive, std::int64_t& t, std::initializer_list<std::int32_t> rates) {
   for (const std::int32_t rate : rates) drive.take(raw_reading(t += 1'000, 0, rate), car());
   const std::optional<double> bias = drive.learnt_bias();

@@ -16,18 +16,19 @@ using sensor::LinkState;
 using test::hex;
 using Bytes = std::vector<std::uint8_t>;
 
-// 331 = 1 + 160 + 100 + 40 + 30 and 134 = 2 + 50 + 60 + 12 + 10.
 const Bytes kIdle = hex("00 00");
 const Bytes kMark = hex("55 AA");
+// 331 = 1 + 160 + 100 + 40 + 30.
 const Bytes kOne = hex("55 AA 4B 01 01 00 A0 00 64 00 28 00 1E 00");
+// 134 = 2 + 50 + 60 + 12 + 10.
 const Bytes kTwo = hex("55 AA 86 00 02 00 32 00 3C 00 0C 00 0A 00");
 // 0x0145 = 10 + 200 + 80 + 60 + 20 + 0xFFD3: a colour code 1-2, turned by -45 degrees.
 const Bytes kCode = hex("56 AA 45 01 0A 00 C8 00 50 00 3C 00 14 00 D3 FF");
 
 // 40 columns from 140 on; rows 85 to 115, the last one included.
 const sensor::Blob kOneBlob{1, 140, 85, 179, 115, {1'595}, {1'000}, 0, {}};
-const sensor::Blob kTwoBlob{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
-const sensor::Blob kCodeBlob{10, 170, 70, 229, 90, {1'995}, {800}, 0, {}};
+const sensor::Blob kTwoBlob{2, 44, 55, 55, 65, {495}, {600}, 0, {}};        // 12 columns, rows 55 to 65
+const sensor::Blob kCodeBlob{10, 170, 70, 229, 90, {1'995}, {800}, 0, {}};  // 60 columns, rows 70 to 90
 
 Bytes operator+(Bytes a, const Bytes& b) {
   a.insert(a.end(), b.begin(), b.end());

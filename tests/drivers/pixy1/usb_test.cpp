@@ -15,11 +15,12 @@ using sensor::LinkState;
 using test::hex;
 using Bytes = std::vector<std::uint8_t>;
 
-// By the rules of alignment: name at 16, flags at 21, width at 24, height at 28, count at 32, words from 36 on; of the
-// second array the count at 48. Sig 1 from (140, 85) to (180, 115).
+// By the rules of alignment: name at 16, flags at 21, width at 24, height at 28, count at 32, words from 36 on. Of the
+// second array the count is at 48.
 const std::string kPushed2 =
     "55 55 AA AA 18 00 00 00 28 00 00 00 64 64 64 64 43 43 42 32 41 01 42 42 40 01 42 42 C8 00 82 82 05 00 00 00 "
     "01 00 8C 00 B4 00 55 00 73 00 82 82 00 00 00 00";
+// Sig 1 from (140, 85) to (180, 115).
 const sensor::Blob kOneBlob{1, 140, 85, 179, 115, {1'595}, {1'000}, 0, {}};
 
 TEST(Pixy1Usb, ReadsPushedBlocks) {

@@ -46,7 +46,7 @@ TEST(Pixy2Camera, GreetsAndAsksInOrder) {
   EXPECT_EQ(bytes_of(link.written()), expected);
 }
 
-// What each error of the camera's means to a session that asks for blocks.
+// The effect of each of the camera's errors on a session that asks for blocks.
 TEST(Pixy2Camera, ErrorsThatPassRestartNothing) {
   const auto restarts = [](int error, std::uint8_t signatures) {
     Session session({.signatures = signatures});

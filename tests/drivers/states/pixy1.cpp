@@ -24,7 +24,7 @@ namespace {
 
 // Signature 1, 40 x 30 around (160, 100).
 const Bytes kPixy1Block = hex("55 AA 4B 01 01 00 A0 00 64 00 28 00 1E 00");
-constexpr std::int16_t kPixy1Left = 140;
+constexpr std::int16_t kPixy1Left = 140;  // its first column
 
 struct Pixy1Seen : Seen {
   void judge(const sensor::BlobFrame& frame) {

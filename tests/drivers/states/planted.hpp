@@ -10,8 +10,8 @@ inline constexpr std::size_t kPlantedRoom = 24;
 
 inline constexpr std::size_t kPlantedLine = kPlantedRoom + 8;
 
-/// Lines `$<payload>*<CRC, four digits>`. Takes payloads of `Bound` characters and keeps lines of `Line`, whatever
-/// there is room for: with one more than kPlantedRoom or kPlantedLine the last one falls on a canary.
+/// Lines `$<payload>*<CRC, four digits>`. Takes payloads of `Bound` characters and keeps lines of `Line`, without
+/// regard to the room. With one more than kPlantedRoom or kPlantedLine the last one falls on a canary.
 template <std::size_t Bound, std::size_t Line = kPlantedLine>
 class Planted {
  public:

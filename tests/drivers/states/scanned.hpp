@@ -13,7 +13,7 @@ namespace fencepost::test {
 
 using View = std::span<const std::uint8_t>;
 
-/// What every subject has.
+/// The base of every subject.
 struct Seen {
   [[nodiscard]] static bool followed(bool /*in_sample*/) { return true; }
 
@@ -22,7 +22,7 @@ struct Seen {
   std::string_view trouble;
 };
 
-/// `Protocol`: kCapacity, examine(), good(): a message; trouble(message): what is wrong with one that was found;
+/// `Protocol` has kCapacity, examine() and good(), a message. trouble(message): the fault of one that was found.
 /// control(pending, key): the header's meaning as far as it is there; followed(pending).
 template <class Protocol>
 struct Scanned : Seen {

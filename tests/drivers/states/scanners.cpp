@@ -44,7 +44,7 @@ struct Pixy2Answers {
     if (pending.size() < pixy2::kHeader) return;
     unsigned missing = wire::little_u16(pending, 4);
     for (const std::uint8_t byte : pending.subspan(pixy2::kHeader)) missing -= byte;
-    missing &= 0xFFFFU;  // what the rest has to add: nothing, what one byte can, more
+    missing &= 0xFFFFU;  // left for the rest to add: nothing, as much as one byte can, more
     key.u8(missing == 0 ? 0 : missing < 256 ? 1 : 2);
   }
   static bool followed(View pending) {

@@ -56,7 +56,7 @@ struct CmuCam : Seen {
   }
   void rest() {
     for (const char byte : {'\r', '\r', ':'}) feed(static_cast<std::uint8_t>(byte));
-    // What is left of a raw packet takes any byte.
+    // The rest of a raw packet takes any byte.
     for (int i = 0; i < 9 && !idle(); ++i) feed('\r');
   }
   [[nodiscard]] bool idle() const { return mode() == 0 && decoder.*revealed(CmucamFresh{}); }

@@ -52,7 +52,7 @@ concept Subject = std::copy_constructible<T> && requires(T subject, const T& see
   { seen.idle() } -> std::convertible_to<bool>;               // as it has to be then
   { seen.outputs } -> std::convertible_to<std::uint32_t>;     // whole messages so far
   { seen.right } -> std::convertible_to<bool>;                // the last byte completed what Plan::good says
-  { seen.trouble } -> std::convertible_to<std::string_view>;  // what must not be, if it ever was
+  { seen.trouble } -> std::convertible_to<std::string_view>;  // a fault, if there ever was one
   seen.control(key);                                          // the control state; payload content is none of it
   {
     seen.followed(bool{})

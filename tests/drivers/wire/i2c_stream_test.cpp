@@ -61,7 +61,7 @@ TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
   EXPECT_EQ(bus.transfers().back().out.size(), 3U);
 }
 
-// What a bus says of a write is nothing that was read.
+// The answer of a bus to a write is no data.
 TEST(I2cStream, AWriteBringsNoBytes) {
   const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 0}, {kSent, {}, 0}, {kSent, {}, 0}}};
   Bus bus(script);
