@@ -39,7 +39,7 @@ TEST(RequestedMotion, AReadingOfWholeMillimetresLimitsWhatWasPredicted) {
     robot.go(predicted, predicted);
     EXPECT_EQ(robot.x(), base::Time{predicted}.raw / 1'000 + (predicted % 1'000 >= 500) - (predicted % 1'000 <= -500));
     robot.read(told, 0);
-    EXPECT_EQ(robot.x(), x) << predicted << " told " << told;
+    EXPECT_EQ(robot.x(), x) << predicted << " read " << told;
   }
 }
 
@@ -51,7 +51,7 @@ TEST(RequestedMotion, WhatIsInPartAddsOnly) {
     Robot robot;
     robot.go(predicted, predicted);
     robot.read(told, 0, true);
-    EXPECT_EQ(robot.x(), x) << predicted << " told " << told;
+    EXPECT_EQ(robot.x(), x) << predicted << " read " << told;
     EXPECT_EQ(robot.heading(), 0);
   }
   Robot turned;  // 2 x 60,000 by 258 mm: 0.0465 rad, 2.66 degrees

@@ -515,7 +515,7 @@ TEST_F(Driven, AtTheEndItStandsInPassive) {
   EXPECT_EQ(speeds().left, 0);
   EXPECT_EQ(rig.device.mode(), 1);
   rig.run(500);
-  EXPECT_EQ(speeds().left, 0) << "and is not told to go on";
+  EXPECT_EQ(speeds().left, 0) << "and gets no command to go on";
 }
 
 TEST(CreateSession, BytesThatAreNoStreamAreUnready) {

@@ -67,7 +67,7 @@ TEST(JevoisSession, WaitsHalfASecondEachTime) {
   EXPECT_TRUE(said(0));
   EXPECT_FALSE(said(4'999));
   hear("MARK START\nMARK STOP\n", 4'999);
-  EXPECT_TRUE(said(5'000)) << "its frames are not as told";
+  EXPECT_TRUE(said(5'000)) << "its frames are not as configured";
   EXPECT_EQ(session.link(), LinkState::kEmpty);
   hear("1 MARK START\n1 N2 a 0.0 0.0 10.0 10.0\n1 MARK STOP\n", 6'000);
   EXPECT_FALSE(said(10'000)) << "they are";

@@ -118,7 +118,7 @@ TEST_F(TtyLine, AsksForLowLatencyBesidesWhatWasSet) {
     return -ENOTTY;
   });
   set_low_latency(-1);
-  EXPECT_EQ(sets, 1) << "an adapter without it is told nothing";
+  EXPECT_EQ(sets, 1) << "an adapter without it is sent nothing";
 }
 
 TEST_F(TtyLine, IsNotForThoseWhoMayNot) {
