@@ -65,7 +65,7 @@ float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel&
 void Rhythm::beat(base::Time t) {
   if (begun_) {
     constexpr auto kTicks = static_cast<std::int32_t>(kTicksPerMs);  // small cores divide 32 bits
-    const auto ticks = static_cast<std::int32_t>(std::clamp<std::int64_t>(last_.since(t).raw, 0, kOverdueMost.raw));
+    const auto ticks = static_cast<std::int32_t>(std::clamp<std::int64_t>(last_.since(t).raw, 0, kMaxOverdue.raw));
     const std::int32_t passed = ticks / kTicks;
     interval_ = static_cast<std::uint16_t>(interval_ == 0 ? passed : interval_ + (passed - interval_) / 8);
   }
@@ -75,8 +75,8 @@ void Rhythm::beat(base::Time t) {
 
 bool Rhythm::overdue(base::Time now, bool standing) const {
   const base::Duration usual{interval_ * kTicksPerMs * kOverdueQuarters / 4};
-  const base::Duration least = standing ? kOverdueStanding : kOverdueLeast;
-  return begun_ && last_.since(now) > std::clamp(usual, least, kOverdueMost);
+  const base::Duration least = standing ? kOverdueStanding : kMinOverdue;
+  return begun_ && last_.since(now) > std::clamp(usual, least, kMaxOverdue);
 }
 
 void Sight::start(base::Time t) {
@@ -136,7 +136,7 @@ base::Duration Sight::image_patience() const {
 bool Sight::jumped_lately(base::Time now) const { return jumped_ && jumped_at_.since(now) < recon::kMoment; }
 
 Blindness Sight::blindness(base::Time now, bool standing) const {
-  const base::Duration grace = standing ? kOverdueStanding : kOverdueLeast;
+  const base::Duration grace = standing ? kOverdueStanding : kMinOverdue;
   const bool begins = !started_ || started_at_.since(now) <= grace;
   if (!begins && !frames_.begun()) return Blindness::kNoCamera;
   if (!begins && !odometry_.begun()) return Blindness::kNoOdometry;

@@ -15,7 +15,7 @@ namespace fencepost::alert {
 
 /// Maximum time between two looks at the path, with frames or without. More: late stops; less: instructions. By design.
 inline constexpr base::Duration kWatchInterval = base::milliseconds(100);
-/// s, the same.
+/// s. Derived: the same.
 inline constexpr float kLookSeconds =
     static_cast<float>(kWatchInterval.raw) / static_cast<float>(base::Duration::kPerUnit);
 /// s from a look at the path until a robot that obeys the speed limit is seen to be slower. More: slow robots; less:
@@ -138,9 +138,9 @@ inline constexpr float kMaxEarly = 0.4F;
 /// is not reported; less: it is reported of a camera that skips a frame. By design.
 inline constexpr std::int64_t kOverdueQuarters = 10;
 /// Minimum of that time. Derived: the time that safety.md promises, less a turn of the loop.
-inline constexpr base::Duration kOverdueLeast = base::milliseconds(270);
+inline constexpr base::Duration kMinOverdue = base::milliseconds(270);
 /// Maximum of that time. By design.
-inline constexpr base::Duration kOverdueMost = base::milliseconds(1500);
+inline constexpr base::Duration kMaxOverdue = base::milliseconds(1500);
 /// Minimum of that time for a stationary robot. By design.
 inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
 /// Time without any change of the boxes after which the camera is frozen, if kFrozenShift was expected. By design.

@@ -123,7 +123,7 @@ class PathWatch {
 
   // Jitter of odometry does not move a stationary robot.
   [[nodiscard]] recon::Motion motion_now(base::Time now) const {
-    const bool fresh = m_.run.last_frame && now - *m_.run.last_frame < alert::kOverdueLeast;
+    const bool fresh = m_.run.last_frame && now - *m_.run.last_frame < alert::kMinOverdue;
     if (fresh && m_.map.stands()) return {};
     return m_.poses.motion(kPathSpan);
   }

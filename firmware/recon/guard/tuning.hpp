@@ -13,7 +13,8 @@ namespace fencepost::recon::guard {
 // --- where a front is ---
 
 inline constexpr int kSpacingLog2 = 6;  ///< log2 of kSpacing
-/// mm between neighbouring points of one front. No strip of floor of this width passes between two. By design.
+/// mm between neighbouring points of one front. No strip of floor of this width passes between two. Derived
+/// from its logarithm.
 inline constexpr std::int32_t kSpacing = 1 << kSpacingLog2;
 /// mm along the optical axis. A front that is farther is not kept: its row says little. By design.
 inline constexpr std::int32_t kFarthest = 1500;
@@ -45,8 +46,8 @@ inline constexpr std::int32_t kPastRows = kSupportRows + 4;
 inline constexpr auto kEdgePixels = static_cast<std::int32_t>(kUsualSigmas * kEdgeNoise);
 /// mm to the side. Derived: a quarter of the way to the next point.
 inline constexpr std::int32_t kSideSlack = kSpacing / 4;
-/// mm, minimum step of a supported point, which takes half of it: shorter steps are rounding. By design.
-inline constexpr std::int32_t kMinStep = 4;
+/// mm, minimum step of a supported point, which takes half of it. Derived: one sigma of the position.
+inline constexpr auto kMinStep = static_cast<std::int32_t>(1000 * kPositionNoise + 0.5F);
 
 // --- how long ---
 

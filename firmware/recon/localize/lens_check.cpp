@@ -26,7 +26,7 @@ bool LensCheck::turn(std::int32_t heading, base::Time exposure) {
   exposure_ = base::Stamp(exposure);
   if (passed.raw <= 0 || passed > kMoment) return false;
   const auto ticks = static_cast<std::int32_t>(passed.raw);
-  const std::int32_t least = kLensLeastRate * ticks;
+  const std::int32_t least = kLensMinRate * ticks;
   if (step < least && step > -least) return false;
   rate_now_ = 0.01F * static_cast<float>(step) / static_cast<float>(ticks);
   return true;
@@ -64,14 +64,14 @@ void LensCheck::compare(const View& view, const CameraModel& camera, const MapPo
   const float parallax = cross(view_.bearing, away) / ahead;
   const float turned = heading - parallax;
   const bool steady = std::fabs(rate_now_ - rate_) <= kLensSteady * std::fabs(turned);
-  if (!steady || std::fabs(parallax) > kLensMostParallax * std::fabs(heading)) return;
+  if (!steady || std::fabs(parallax) > kLensMaxParallax * std::fabs(heading)) return;
   learn(turned, base::atan2_rad(cross(view.bearing, view_.bearing), view.bearing.dot(view_.bearing)));
 }
 
 void LensCheck::learn(float turned, float told) {
   const float product = turned * told;
   const float square = turned * turned;
-  if (product * kLensMostOff < square || product > kLensMostOff * square) return;
+  if (product * kLensMaxOff < square || product > kLensMaxOff * square) return;
   turned_square_ += square;
   turned_told_ += product;
   told_square_ += told * told;
@@ -79,7 +79,7 @@ void LensCheck::learn(float turned, float told) {
   if (fresh_ && objects_ < kLensObjects) ++objects_;
   fresh_ = false;
   judge();
-  if (samples_ < kLensMostSamples) return;
+  if (samples_ < kLensMaxSamples) return;
   samples_ /= 2;
   turned_square_ *= 0.5F;
   turned_told_ *= 0.5F;
@@ -87,7 +87,7 @@ void LensCheck::learn(float turned, float told) {
 }
 
 void LensCheck::judge() {
-  if (samples_ < kLensLeastSamples || objects_ < kLensObjects) return;
+  if (samples_ < kLensMinSamples || objects_ < kLensObjects) return;
   const LensGate& gate = wrong_ ? kLensRight : kLensWrong;
   const float share =
       turned_told_ / turned_square_;  // apparent turn over the robot's turn: true over configured focal length

@@ -107,25 +107,25 @@ inline constexpr float kCorrectedPosition = 1.5F * kPositionNoise;
 inline constexpr std::int32_t kLensTurn = 150'000;
 /// urad for each 0.1 ms, minimum turn rate: slower, odometry's rounding counts too much. Derived: kLensTurn in a
 /// second.
-inline constexpr auto kLensLeastRate = static_cast<std::int32_t>(kLensTurn / base::Duration::kPerUnit);
+inline constexpr auto kLensMinRate = static_cast<std::int32_t>(kLensTurn / base::Duration::kPerUnit);
 /// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
 /// the turn by a tenth. By design.
 inline constexpr float kLensSteady = 2.0F;
 /// Maximum share of the turn that parallax may have, for the object's distance may be wrong. By design.
-inline constexpr float kLensMostParallax = 0.25F;
+inline constexpr float kLensMaxParallax = 0.25F;
 /// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. By design.
 inline constexpr float kLensNearest = 0.3F;
 /// Factor beyond which a sample is an outlier. By design.
-inline constexpr float kLensMostOff = 2.5F;
+inline constexpr float kLensMaxOff = 2.5F;
 /// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. By
 /// design.
 inline constexpr float kLensSampleSigma = 0.015F;
 /// Objects followed, or one twice, before the first verdict. By design.
 inline constexpr std::uint8_t kLensObjects = 2;
 /// Samples before the first verdict. Derived: two of each object.
-inline constexpr std::uint8_t kLensLeastSamples = 2 * kLensObjects;
+inline constexpr std::uint8_t kLensMinSamples = 2 * kLensObjects;
 /// Samples at which half is forgotten. By design.
-inline constexpr std::uint8_t kLensMostSamples = 64;
+inline constexpr std::uint8_t kLensMaxSamples = 64;
 /// Thresholds of the factor and of its significance in sigmas. The focal length is wrong above kLensWrong, and right
 /// again below kLensRight. Less: complaints about lenses that do no harm, and about wheels. Hazard table (bases).
 struct LensGate {

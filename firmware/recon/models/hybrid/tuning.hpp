@@ -119,8 +119,9 @@ inline constexpr float kHold = 0.15F;
 
 /// Factor on the sigmas in each pass of the low order. Prototype.
 inline constexpr std::array<float, 7> kLowOrderPasses = {8, 4, 2, 1.4F, 1, 1, 1};
-/// The same of the support fit, which begins with the second factor. Prototype.
-inline constexpr std::span<const float, 6> kSupportPasses = std::span(kLowOrderPasses).last<6>();
+/// The same of the support fit. Derived: all but the first, which the low order has taken.
+inline constexpr std::span<const float, kLowOrderPasses.size() - 1> kSupportPasses =
+    std::span(kLowOrderPasses).last<kLowOrderPasses.size() - 1>();
 /// pass of the support fit from which sides are weighed. Prototype.
 inline constexpr std::size_t kPolygonalFrom = 2;
 /// The spread is learnt in passes no wider than this. Derived: of those in which sides are weighed.
