@@ -1,5 +1,5 @@
-// Strong units. Every quantity that crosses an interface is a scaled integer with exactly the decimals of its
-// record field, so a value that the log cannot express cannot exist in the loop. This is what makes replay exact.
+// Strong units. Quantities that cross an interface are scaled integers with exactly the decimals of their record field.
+// So a value that the log cannot express cannot exist in the loop. This is what makes replay exact.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-// What a blob camera says: coloured boxes. Image u right, v down, an integer coordinate is a pixel centre.
+// The report of a blob camera: coloured boxes. Image u right, v down, an integer coordinate is a pixel centre.
 #pragma once
 
 #include <cstdint>

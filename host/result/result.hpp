@@ -1,4 +1,4 @@
-// What a replay found, as the result document and the report show it (the JSON layout is in share/doc/results.md).
+// The findings of a replay, as the result document and the report show them (JSON: share/doc/results.md).
 #pragma once
 
 #include <array>

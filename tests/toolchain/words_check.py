@@ -1,24 +1,20 @@
 #!/usr/bin/env python3
-"""usage: words_check.py [ROOT [BASE]]
+"""usage: words_check.py [ROOT]
 
-Holds the words that were written since the commit BASE to the rules of plain English (REMEDIES). Sentences and names that
-a changed file had at BASE pass, wherever they stand now. Files that git does not know yet are looked at too. Whoever
-cleans the whole tree moves BASE forward.
-Prints one line per fault; exit status 1 if there is any, 77 if there is no git or no such commit to compare with.
+Holds comments, documents, messages and names of bounds to the rules of plain English (REMEDIES).
+Prints one line per fault; exit status 1 if there is any.
 """
 
 import io
 import pathlib
 import re
-import subprocess
 import sys
 import tokenize
 
+from layer_check import NOT_OURS
 from source_text import comments_of, strings_of
 
-BASE = "9765df0f698f8e8961c86fbc1c76bce1bdc84797"
 MAX_WORDS = 25
-SKIPPED = 77
 CODE = {".cpp", ".hpp", ".h", ".c", ".ino", ".js", ".mjs"}
 HASHES = {".py", ".cmake", ".txt", ".sh"}
 OWN = {"tests/toolchain/words_check.py", "tests/toolchain/words_check_test.py"}  # they have the words that they refuse
@@ -37,34 +33,6 @@ REMEDIES = {
     "constants": "one comment for several constants; give each its own, behind it or above",
     "extreme": "write kMax... or kMin...",
 }
-
-
-class Git:
-    def __init__(self, root):
-        self.root = root
-
-    def bytes_of(self, *arguments, given=b""):
-        line = ["git", "-c", "safe.directory=*", "-c", "core.quotePath=off", "-C", str(self.root), *arguments]
-        return subprocess.run(line, capture_output=True, check=True, input=given).stdout
-
-    def __call__(self, *arguments):
-        """Its output, or None if it failed or is not there."""
-        try:
-            return self.bytes_of(*arguments).decode("utf-8", "replace")
-        except (OSError, subprocess.CalledProcessError):
-            return None
-
-    def files(self, commit, paths):
-        """{path: text} of those that the commit has."""
-        wanted = "".join(f"{commit}:{path}\n" for path in paths).encode()
-        out = io.BytesIO(self.bytes_of("cat-file", "--batch", given=wanted))
-        texts = {}
-        for path in paths:
-            head = out.readline().split()
-            if head[-1] != b"missing":
-                texts[path] = out.read(int(head[-1])).decode("utf-8", "replace")
-                out.readline()
-        return texts
 
 
 def kind_of(path):
@@ -238,45 +206,35 @@ def found_in(path, text):
     return faults
 
 
-def check(root, base=BASE):
-    """Faults, or None with what is missing."""
-    git = Git(root)
-    if git("rev-parse", "--git-dir") is None:
-        return None, "no git here, or no repository"
-    if git("cat-file", "-e", base + "^{commit}") is None:
-        return None, f"the clone has no commit {base[:8]}; try git fetch --unshallow"
-    top = pathlib.Path(git("rev-parse", "--show-toplevel").strip())
-    if top.resolve() != pathlib.Path(root).resolve():
-        return None, "the tree is no repository of its own"
-    changed = git("diff", "--name-only", "--no-renames", base).split("\n")
-    changed += git("ls-files", "--others", "--exclude-standard").split("\n")
-    changed = sorted({path for path in changed if path and kind_of(path)})
-    named = git("grep", "-ohwE", "k(Most|Least)[A-Z][A-Za-z0-9_]*", base) or ""
-    known = {("extreme", name) for name in named.split()}
-    for path, before in git.files(base, changed).items():
-        known |= {(rule, said) for _, rule, said in found_in(path, before)}
-    faults = []
-    for path in changed:
-        if not (root / path).is_file():
+def files_in(folder):
+    for entry in sorted(folder.iterdir()):
+        if entry.name in NOT_OURS or entry.is_symlink():
             continue
-        text = (root / path).read_text(encoding="utf-8", errors="replace")
-        for line, rule, said in sorted(set(found_in(path, text))):
-            if (rule, said) not in known:
+        if entry.is_dir():
+            yield from files_in(entry)
+        else:
+            yield entry
+
+
+def check(root):
+    faults = []
+    for file in files_in(root):
+        path = file.relative_to(root).as_posix()
+        if kind_of(path):
+            text = file.read_text(encoding="utf-8", errors="replace")
+            for line, rule, said in sorted(set(found_in(path, text))):
                 faults.append(f"{path}:{line}: {rule}: {REMEDIES[rule]}: {said[:100]}")
-    return faults, None
+    return faults
 
 
 def main(arguments):
-    if len(arguments) > 2 or "-h" in arguments or "--help" in arguments:
+    if len(arguments) > 1 or "-h" in arguments or "--help" in arguments:
         print(__doc__.strip() + "\n")
         for rule, remedy in REMEDIES.items():
             print(f"{rule:>10}: {remedy}")
         return 2
     root = pathlib.Path(arguments[0] if arguments else pathlib.Path(__file__).parents[2]).resolve()
-    faults, missing = check(root, *arguments[1:])
-    if missing:
-        print(f"words_check: skipped: {missing}", file=sys.stderr)
-        return SKIPPED
+    faults = check(root)
     for fault in faults:
         print(fault)
     return 1 if faults else 0

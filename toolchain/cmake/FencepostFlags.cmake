@@ -61,5 +61,5 @@ endif()
 
 add_library(fencepost_robot_flags INTERFACE)
 target_link_libraries(fencepost_robot_flags INTERFACE fencepost_flags)
-# What the boards are built with; the desk builds the same code the same way.
+# Compiler options of the boards; the desk builds the same code the same way.
 target_compile_options(fencepost_robot_flags INTERFACE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
