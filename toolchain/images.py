@@ -130,6 +130,12 @@ def empty(out):
     (out / SUMS).touch()  # so a run that fails leaves a folder that the next one knows
 
 
+def page_of(name):
+    """The page of a release that a linked document is."""
+    name = pathlib.Path(name)
+    return "START_HERE" if name.name == pathlib.Path(DOCUMENT).name else name.stem
+
+
 def add_guide(source, out, version):
     """The guide to a first alert as a page, with the pictures that it shows, the pages that it links and the examples."""
     text = (source / GUIDE).read_text(encoding="utf-8")
@@ -137,9 +143,10 @@ def add_guide(source, out, version):
         shutil.copyfile((source / GUIDE).parent / name, out / pathlib.Path(name).name)
     text = PICTURE.sub(lambda match: f"{match.group(1)}{pathlib.Path(match.group(2)).name})", text)
     for _, name in PAGE.findall(text):
-        linked = ((source / GUIDE).parent / name).read_text(encoding="utf-8")
-        (out / f"{pathlib.Path(name).stem}.html").write_text(to_html(linked), encoding="utf-8")
-    text = PAGE.sub(lambda match: f"{match.group(1)}{pathlib.Path(match.group(2)).stem}.html)", text)
+        if page_of(name) != "START_HERE":
+            linked = ((source / GUIDE).parent / name).read_text(encoding="utf-8")
+            (out / f"{page_of(name)}.html").write_text(to_html(linked), encoding="utf-8")
+    text = PAGE.sub(lambda match: f"{match.group(1)}{page_of(match.group(2))}.html)", text)
     (out / "FIRST_ALERT.html").write_text(to_html(text.replace("VERSION", version)), encoding="utf-8")
     shutil.copytree(source / EXAMPLES, out / "examples")
 

@@ -81,7 +81,7 @@ class Images(unittest.TestCase):
         source = self.top / "source"
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
-                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md)\n"),
+                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md) [boards](../host/share/doc/boards.md)\n"),
                 ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n"),
                 (images.WEB_PAGE, f"<html>{images.WEB_PLACE}<script></script></html>")):
             path = source / name
@@ -111,6 +111,7 @@ class Images(unittest.TestCase):
         self.assertNotIn("<code>pyboard</code>", start, "a board that is not there")
         self.assertIn('<img src="wires.svg"', guide)
         self.assertIn('<a href="seen.html"', guide)
+        self.assertIn('<a href="START_HERE.html"', guide)
         self.assertNotIn("VERSION", start + guide)
 
     def test_the_page_has_the_images_inside(self):

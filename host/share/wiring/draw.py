@@ -167,23 +167,30 @@ def pico_battery(pins):
     return drawing
 
 
-def xrp(pins):
-    """A Pixy2 by its serial line, and a light at STOP."""
+def xrp(pins, sold="of 2023", plug="servo 1", more=()):
+    """A Pixy2 by its serial line, and a light at STOP. `more`: notes."""
     # "GP16, servo 1": the names of the controller's plugs are what one looks for.
     swapped = {signal: (where or name, name if where else "") for signal, (name, where) in pins.items()}
-    drawing = Drawing("Pixy2 or Pixy2.1 on an XRP robot", [
+    drawing = Drawing(f"Pixy2 or Pixy2.1 on an XRP robot {sold}", [
         ("Pixy2, I/O port", "block", PIXY2_SERIAL),
         ("XRP controller", "block", [(0, "left", *swapped["camera sends"]), (1, "left", *swapped["camera receives"]),
-                                     (2, "left", "ground", "of servo 1's plug"), (0, "right", *swapped["stop"]), (1, "right", "ground", "of the range plug")]),
+                                     (2, "left", "ground", f"of {plug}'s plug"), (0, "right", *swapped["stop"]), (1, "right", "ground", "of the range plug")]),
         ("LED with its resistor", "block", [(0, "left", "long leg", "through 330 Ω"), (1, "left", "short leg", "")])],
         ["The Pixy2 gets its 5 V by its own USB plug, from a power bank: the middle pin of a servo's plug (5 V) stays free.",
          "The range plug takes the cable of the distance sensor, pulled off the sensor. The light shines while the robot may drive.",
-         "Fencepost turns both wheels after go on the console, or the button USER, alone: lift them first."])
+         "Fencepost turns both wheels after go on the console, or the button USER, alone: lift them first.", *more])
     for row, kind in enumerate(("there", "back", "ground")):
         drawing.wire(0, row, kind)
     drawing.connector(0, {1: "there", 4: "back", 6: "ground"})
     drawing.wire(1, 0, "stop")
     drawing.wire(1, 1, "ground")
+    return drawing
+
+
+def xrp2(pins):
+    """The same on the newer controller."""
+    drawing = xrp(pins, "since late 2024", "servo 4", ["The resistor holds STOP low in a reset (erratum RP2350-E9)."])
+    drawing.resistor(1, 0, "4.7 kΩ")
     return drawing
 
 
@@ -204,7 +211,7 @@ def microbit_v2(pins):
     return drawing
 
 
-DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "pico_battery": (pico_battery, "pico"), "xrp": (xrp, "xrp"), "microbit_v2": (microbit_v2, "microbit_v2")}
+DRAWINGS = {"pico": (pico, "pico"), "pico_shifter": (pico_shifter, "pico"), "pico_battery": (pico_battery, "pico"), "xrp": (xrp, "xrp"), "xrp2": (xrp2, "xrp2"), "microbit_v2": (microbit_v2, "microbit_v2")}
 FILES = [f"wiring_{name}.svg" for name in DRAWINGS]
 
 

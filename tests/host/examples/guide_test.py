@@ -29,12 +29,12 @@ def one_sided(text):
 class Guide(unittest.TestCase):
     def test_drawings_are_as_drawn(self):
         drawings = draw.draw(draw.pins_of(PINS))
-        self.assertEqual(len(drawings), 5)
+        self.assertEqual(len(drawings), 6)
         for name, text in drawings.items():
             self.assertEqual((TOP / "host/share/doc" / name).read_text(encoding="utf-8"), text, f"{name}: draw.py host/share/doc")
 
     def test_drawings_follow_the_pins(self):
-        for board, signal, name in (("pico", "camera sends", "GP4"), ("pico", "stop", "GP15"), ("xrp", "camera receives", "GP17")):
+        for board, signal, name in (("pico", "camera sends", "GP4"), ("pico", "stop", "GP15"), ("xrp", "camera receives", "GP17"), ("xrp2", "stop", "GP0")):
             self.assertEqual(draw.pins_of(PINS)[board][signal][0], name)
         before, after = (draw.draw(draw.pins_of(text)) for text in (PINS, PINS.replace("| stop | GP15, pin 20 |", "| stop | GP14, pin 19 |")))
         self.assertIn(">GP15<", before["wiring_pico.svg"])
