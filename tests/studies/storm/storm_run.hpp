@@ -14,7 +14,7 @@ namespace fencepost::test {
 enum class Plant : std::uint8_t {
   kNone,
   kLostAlert,    ///< one FPALR does not reach the log
-  kLostFrame,    ///< one FPFRM that was used does not: what hostile.md calls its first defect
+  kLostFrame,    ///< one FPFRM that was used does not
   kBrokenGuard,  ///< something writes behind the robot's memory
   kDeafPin,      ///< the STOP output stays as it is for a second
   kMixedFlash,   ///< a power cut leaves an entry of another value
