@@ -257,7 +257,7 @@ async function openEntry(entry) {
       const now = look();
       Object.assign(state, { look: now, t: now.time, whole: now.path, end: now.time });
       fit();
-      shown = performance.now();
+      if (now.path.length) shown = performance.now();
     });
   } catch (error) {
     byId("progress").hidden = true;
