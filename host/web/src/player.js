@@ -3,7 +3,7 @@
 const TURN = 10;          // ms of work before the page gets its turn
 const CHUNK = 4096;       // bytes between two looks at the clock
 const CHECKPOINTS = 48;   // at most
-const SPACING = 20e3;     // bytes of log between two of them at least: a jump replays so much
+const SPACING = 20e3;     // minimum bytes of log between two of them
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
 /** The page's data at one time; alerts up to then, or none. */
