@@ -57,14 +57,20 @@ class FieldReader {
   /// The count, then that many items of `fields_each` fields, which must be all the fields that are left.
   template <class Items>
   void list(Items& items, std::size_t fields_each) {
-    items.clear();
-    const auto count = static_cast<std::size_t>(next_number({0, static_cast<std::int64_t>(Items::capacity()), 0}));
-    if (left_ != count * fields_each) fail(Reject::kFields);
-    for (std::size_t i = 0; i < count && !fault_; ++i) {
-      typename std::remove_cvref_t<decltype(items[0])> item;
-      walk(*this, item);
-      if (!items.push_back(item)) fail(Reject::kRange);
-    }
+    read_items(items, next_count(Items::capacity()), fields_each);
+  }
+  /// The same, where all items may have one field more, read by extra_number().
+  template <class Items, class Predicate>
+  void list_with_extra(Items& items, std::size_t fields_each, const Predicate& /*has_extra*/) {
+    const std::size_t count = next_count(Items::capacity());
+    extra_ = count != 0 && left_ == count * (fields_each + 1);
+    read_items(items, count, fields_each + (extra_ ? 1 : 0));
+  }
+  /// A number that ends an item of list_with_extra(): 0 where it is empty, or missing in all items.
+  template <class Rep>
+  void extra_number(Rep& raw, const NumberField& field) {
+    raw = 0;
+    if (extra_ && !skip_empty()) number(raw, field);
   }
   /// True if the next field is empty, which is then read.
   bool left_empty(bool& is_empty) { return is_empty = skip_empty(); }
@@ -82,11 +88,26 @@ class FieldReader {
   std::string_view next();
   /// Steps over the next field if it is empty.
   bool skip_empty();
+  /// The number of items that follow.
+  std::size_t next_count(std::size_t most) {
+    return static_cast<std::size_t>(next_number({0, static_cast<std::int64_t>(most), 0}));
+  }
+  template <class Items>
+  void read_items(Items& items, std::size_t count, std::size_t fields_each) {
+    items.clear();
+    if (left_ != count * fields_each) fail(Reject::kFields);
+    for (std::size_t i = 0; i < count && !fault_; ++i) {
+      typename std::remove_cvref_t<decltype(items[0])> item;
+      walk(*this, item);
+      if (!items.push_back(item)) fail(Reject::kRange);
+    }
+  }
   std::int64_t next_number(const NumberField& field);
   void fail(Reject reason);
 
   std::string_view rest_;
-  std::size_t left_;  ///< fields not yet read
+  std::size_t left_;    ///< fields not yet read
+  bool extra_ = false;  ///< the items have one field more
   std::optional<base::Time> arrival_;
   std::optional<Reject> fault_;
 };

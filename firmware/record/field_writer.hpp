@@ -1,6 +1,7 @@
 // Writes one line field by field. Anything that cannot be written makes the whole line void.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -59,6 +60,18 @@ class FieldWriter {
     number(static_cast<std::int64_t>(items.size()), {0, static_cast<std::int64_t>(items.capacity()), 0});
     for (const auto& item : items) walk(*this, item);
   }
+  /// The same. If an item `has_extra`, all have one field more, written by extra_number().
+  template <class Items, class Predicate>
+  void list_with_extra(const Items& items, std::size_t fields_each, const Predicate& has_extra) {
+    extra_ = std::any_of(items.begin(), items.end(), has_extra);
+    list(items, fields_each);
+  }
+  /// A number that ends an item of list_with_extra(): empty for 0.
+  template <class Rep>
+  void extra_number(Rep raw, const NumberField& field) {
+    if (!extra_) return;
+    raw == 0 ? put(',') : number(raw, field);
+  }
   /// Writes an empty field, or nothing.
   bool left_empty(bool is_empty) {
     if (is_empty) put(',');
@@ -82,6 +95,7 @@ class FieldWriter {
   std::span<char> line_;
   std::size_t size_ = 0;
   bool void_ = false;
+  bool extra_ = false;  ///< the items have one field more
 };
 
 }  // namespace fencepost::record

@@ -28,7 +28,7 @@ constexpr std::size_t index_in(RecordList<Records...> /*list*/) {
 
 inline constexpr std::string_view kRecordStart = "$FP";  ///< a line that starts otherwise is foreign
 inline constexpr std::size_t kKinds = 18;
-inline constexpr std::size_t kBlobFields = 9;  ///< fields of one blob within FPFRM
+inline constexpr std::size_t kBlobFields = 9;  ///< fields of one blob within FPFRM; its id is one more
 
 struct KindInfo {
   std::string_view name;  ///< as on the line, without the '$'

@@ -31,6 +31,7 @@ inline constexpr NumberField kFocalLength{1, 3'276'700, 2};
 inline constexpr NumberField kImageSize{2, 32'767, 0};
 inline constexpr NumberField kCount{0, 4'294'967'295, 0};
 inline constexpr NumberField kSignature{0, 255, 0};
+inline constexpr NumberField kTrack{1, 65'535, 0};
 inline constexpr NumberField kWidth{1, 2'000, 3};  // of a thing: what is larger is a wall
 inline constexpr NumberField kFormatNumber{kStreamFormat, kStreamFormat, 0};
 
@@ -110,13 +111,14 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.cy.raw, kCentroid);
   fields.number(r.pixels, kCount);
   fields.colour_or_empty(r.rgb);
+  fields.extra_number(r.track, kTrack);
 }
 
 template <class Fields, Is<sensor::BlobFrame> Record>
 void walk(Fields& fields, Record& r) {
   fields.number(r.t.raw, kTime);
   fields.number(r.frame, kCount);
-  fields.list(r.blobs, kBlobFields);
+  fields.list_with_extra(r.blobs, kBlobFields, [](const sensor::Blob& blob) { return blob.track != 0; });
 }
 
 template <class Fields, Is<Position> Record>

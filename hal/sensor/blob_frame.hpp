@@ -29,6 +29,7 @@ struct Blob {
   std::uint32_t pixels = 0;  ///< area; 0 where the sensor does not tell
   std::optional<Rgb> rgb;    ///< mean colour; empty where the sensor does not tell
   bool bearing = false;      ///< the sensor tells the direction to the middle of the thing, not its width
+  std::uint16_t track = 0;   ///< id that a tracking sensor gives the thing from frame to frame; 0: none
   friend constexpr bool operator==(const Blob&, const Blob&) = default;
 };
 

@@ -69,6 +69,10 @@ TEST(Decode, RejectsAWrongNumberOfFields) {
                    {"FPFRM,1,2,1,1,10,20,40,60,25.0,40.0,950", "fields"},
                    {"FPFRM,1,2,0,1,10,20,40,60,25.0,40.0,950,d02020", "fields"},
                    {"FPFRM,1,2,2,1,10,20,40,60,25.0,40.0,950,d02020", "fields"},
+                   {"FPFRM,1,2,0,1,10,20,40,60,25.0,40.0,950,d02020,7", "fields"},
+                   {"FPFRM,1,2,1,1,10,20,40,60,25.0,40.0,950,d02020,7,7", "fields"},
+                   {"FPFRM,1,2,2,1,0,0,1,1,0,0,0,,7,1,0,0,1,1,0,0,0,", "fields"},
+                   {"FPFRM,1,2,2,1,0,0,1,1,0,0,0,,1,0,0,1,1,0,0,0,,7", "fields"},
                    {"FPCAM,pixy2,316,208,273.6,273.6,157.5,103.5,0,0,0,0,0,0", "fields"},
                    {"FPCAM,a,316,208,273.6,273.6,157.5,103.5,0,0,0,0,0,0,0,pinhole,", "fields"},
                    {"FPPOS,1,2,3,4,5", "fields"},
@@ -165,6 +169,21 @@ TEST(Decode, RejectsFramesWithBadBoxes) {
   std::string body = "FPFRM,1,1,17";
   for (int i = 0; i < 17; ++i) body += ",1,0,0,1,1,0,0,0,";
   EXPECT_EQ(verdict_on_body(body), "range");
+}
+
+TEST(Decode, ReadsTheIdsOfACameraThatTracks) {
+  expect_verdicts({{"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,1", "accepted"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,65535", "accepted"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,", "accepted"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,0", "range"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,65536", "range"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,-1", "range"},
+                   {"FPFRM,1,1,1,1,0,0,1,1,0,0,0,,x", "number"}});
+  Recorder sink;
+  ASSERT_TRUE(decode(sealed("FPFRM,1,1,2,1,0,0,1,1,0,0,0,,,1,,0,,1,5,0,0,,300"), {}, sink).ok());
+  const auto& frame = std::get<sensor::BlobFrame>(sink.records.at(0));
+  EXPECT_EQ(frame.blobs[0].track, 0);
+  EXPECT_EQ(frame.blobs[1].track, 300);
 }
 
 TEST(Decode, RejectsImpossibleCameras) {

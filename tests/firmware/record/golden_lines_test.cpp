@@ -46,6 +46,14 @@ sensor::BlobFrame two_bearings() {
   return frame;
 }
 
+sensor::BlobFrame two_tracked() {
+  sensor::BlobFrame frame = two_blobs();
+  frame.t = {124'000};
+  frame.frame = 620;
+  frame.blobs[0].track = 7;
+  return frame;
+}
+
 SectorReport sectors() {
   SectorReport report{{131'000}, {}};
   for (const int raw : {5'000, -1, -1, 12'500}) {
@@ -75,6 +83,7 @@ std::vector<Golden> golden_lines() {
       {"$FPODO,12.3450,0.1234,-0.0010,1.5708*0DF3", sensor::OdometrySample{{123'450}, {1'234}, {-10}, {15'708}}},
       {"$FPFRM,12.3600,617,2,1,10,20,40,60,25.0,40.0,950,d02020,2,100,22,131,80,115.5,51.0,0,*1594", two_blobs()},
       {"$FPFRM,12.3900,619,2,1,,20,,60,25.1,40.0,950,d02020,2,,51,,51,115.4,51.0,0,*C3CD", two_bearings()},
+      {"$FPFRM,12.4000,620,2,1,10,20,40,60,25.0,40.0,950,d02020,7,2,100,22,131,80,115.5,51.0,0,,*D048", two_tracked()},
       {"$FPFRM,12.3800,618,0*6329", sensor::BlobFrame{{123'800}, 618, {}}},
       {"$FPALR,12.3800,warn,3,1,0.2094,0.2400,1.1000,0.93*417C",
        AlertReport{{123'800}, AlertLevel::kWarn, 3, 1, {2'094}, {2'400}, base::Duration{11'000}, {93}}},

@@ -124,8 +124,10 @@ class RandomRecords {
     const std::size_t count = chance(3) ? sensor::kMaxBlobs : below(sensor::kMaxBlobs + 1);
     const std::int64_t most = count > 8 ? 9'999 : 32'767;
     const std::int64_t least = count > 8 ? 0 : -32'768;
+    const bool tracks = count <= 8 && chance(2);
     for (std::size_t i = 0; i < count; ++i) {
       if (!frame.blobs.push_back(blob(most, most, least))) break;
+      if (tracks && !chance(3)) frame.blobs[i].track = static_cast<std::uint16_t>(between(0, 65'535));
     }
     return frame;
   }

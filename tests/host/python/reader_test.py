@@ -49,6 +49,13 @@ class Lines(unittest.TestCase):
         self.assertEqual((frame.t, frame.frame, len(frame.blobs)), (12.36, 617, 2))
         self.assertEqual(frame.blobs[0], fencepost.Blob(1, 10, 20, 40, 60, 25.0, 40.0, 950, "d02020"))
         self.assertIsNone(frame.blobs[1].rgb)
+        self.assertIsNone(frame.blobs[1].track)
+
+    def test_blobs_of_a_camera_that_tracks_have_ids(self):
+        (frame,), _ = feed(line("FPFRM,12.4000,620,2,1,10,20,40,60,25.0,40.0,950,d02020,7,"
+                                "2,100,22,131,80,115.5,51.0,0,,"))
+        self.assertEqual([blob.track for blob in frame.blobs], [7, None])
+        self.assertEqual(frame.blobs[1].x1, 100)
 
     def test_a_blind_robot_has_no_numbers(self):
         (alert,), _ = feed(line("FPALR,13.1000,blind,0,0,,,,"))
@@ -79,6 +86,7 @@ class Lines(unittest.TestCase):
                             (line("FPODO,1.0000,+1.0000,0.0000,0.0000"), "number"),
                             (line("FPODO,1.0000,1e3,0.0000,0.0000"), "number"), (line("FPODO,1.0000,nan,0.0000,0.0000"), "number"),
                             (line("FPFRM,1.0000,1,2,1,10,20,40,60,25.0,40.0,950,"), "fields"),
+                            (line("FPFRM,1.0000,1,2,1,0,0,1,1,0,0,0,,7,1,0,0,1,1,0,0,0,"), "fields"),
                             (line("FPSIG,1,d02020,%"), "number"), (line("FPHDR,2,a,b,c,d"), "format"),
                             (line("FPSIG,1,d02020," + "a" * 1100), "length"), (b"$FPODO,1.0", "truncated")):
             records, reader = feed(line("FPDIG,1,0123456789abcdef") + bad)

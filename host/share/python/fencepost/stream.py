@@ -87,6 +87,7 @@ class Blob(typing.NamedTuple):
     cy: float
     pixels: int
     rgb: typing.Optional[str]
+    track: typing.Optional[int] = None  # id by a camera that tracks
 
 
 class Frame(typing.NamedTuple):
@@ -276,9 +277,15 @@ def _fields(kind: typing.Any, fields: typing.List[str]) -> typing.Any:
 
 
 def _items(of: type, fields: typing.List[str], first: int) -> typing.Tuple[typing.Any, ...]:
-    """The list that ends a record: its items begin with field `first`, their count is the field before."""
+    """The list that ends a record: its items begin with field `first`, their count is the field before. Fields with a
+    default may be missing, in all items."""
+    if len(fields) < first:
+        raise _Bad("fields")
+    count = _integer(fields[first - 1])
     size = len(of._fields)  # type: ignore[attr-defined]
-    if len(fields) < first or len(fields) != first + size * _integer(fields[first - 1]):
+    if len(fields) != first + size * count:
+        size -= len(of._field_defaults)  # type: ignore[attr-defined]
+    if len(fields) != first + size * count:
         raise _Bad("fields")
     return tuple(_fields(of, fields[at:at + size]) for at in range(first, len(fields), size))
 
