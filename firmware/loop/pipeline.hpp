@@ -73,28 +73,27 @@ class Pipeline {
       calibration.current = spare_model();
       while (waits_with(calibration.current)) refuse_waiting();
     }
-    if (calibration.known) {
-      m_.map.recalibrated();
-      forget_floor();
-    }
-    m_.looming.clear();
-    if (m_.camera_doubt.forget(m_.run.time.value_or(base::Time{}))) reporter_.camera_doubt();
+    forget_calibration();
     calibration.known = true;
     calibration.intrinsics = intrinsics;
     calibration.models[calibration.current] = recon::make_camera_model(intrinsics);
     reporter_.resend_from(reporter_.kCameraRecord);
   }
 
-  /// A table that is full keeps what it has; false then.
+  /// A table that is full keeps what it has; false then. A pad is in force for the frames after it.
   bool set_signature(const record::Signature& signature) {
     std::size_t index = 0;
     while (index < m_.signatures.size() && m_.signatures[index].signature != signature.signature) ++index;
+    std::int16_t pad = 0;
     if (index == m_.signatures.size()) {
       if (!m_.signatures.push_back(signature)) return false;
     } else if (m_.signatures[index] == signature) {
       return true;
+    } else {
+      pad = m_.signatures[index].whole_pad();
     }
     m_.signatures[index] = signature;
+    if (signature.whole_pad() != pad) forget_calibration();
     reporter_.resend_from(reporter_.kSignatureRecords + index);
     return true;
   }
@@ -381,7 +380,10 @@ class Pipeline {
   }
   // Not inlined: the frame that it makes then takes no stack from the functions called beside it.
   [[gnu::noinline]] void wait(const sensor::BlobFrame& frame, std::uint8_t model) {
-    m_.waiting.push_over_oldest(recon::make_waiting(frame, model));
+    recon::WaitingFrame waiting = recon::make_waiting(frame, model);
+    recon::take_off_pads(
+        m_.calibration.models[model], [this](std::uint8_t signature) { return pad_of(signature); }, waiting);
+    m_.waiting.push_over_oldest(waiting);
   }
 
   // True if this input may be used: in mode log only if its record is on its way.
@@ -442,6 +444,16 @@ class Pipeline {
     m_.console.answer = {console::Reply::kCalibrate};
   }
 
+  // Boxes lie otherwise from now on: what was learned of the camera, of the floor and of what grows may be wrong.
+  void forget_calibration() {
+    if (m_.calibration.known) {
+      m_.map.recalibrated();
+      forget_floor();
+    }
+    m_.looming.clear();
+    if (m_.camera_doubt.forget(m_.run.time.value_or(base::Time{}))) reporter_.camera_doubt();
+  }
+
   void forget_floor() {
     if constexpr (Profile::kSeesFloor) m_.floor.clear();
   }
@@ -459,6 +471,12 @@ class Pipeline {
   [[nodiscard]] std::uint16_t width_of(std::uint8_t signature) const {
     const record::Signature* known = console::find_signature(signature, m_.signatures.view());
     return known != nullptr && !m_.run.testing ? known->width : std::uint16_t{0};
+  }
+
+  // Of boxes of this colour, px on each side; 0 in the self-test.
+  [[nodiscard]] std::int16_t pad_of(std::uint8_t signature) const {
+    const record::Signature* known = console::find_signature(signature, m_.signatures.view());
+    return known != nullptr && !m_.run.testing ? known->whole_pad() : std::int16_t{0};
   }
 
   [[nodiscard]] bool widths_told() const {

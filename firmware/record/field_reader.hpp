@@ -45,11 +45,14 @@ class FieldReader {
     value = {};
     if (left_ != 0) word(value, last);
   }
-  /// A number at the end of a line, where it may be missing: 0.
-  template <class Rep>
-  void last_number(Rep& raw, const NumberField& field) {
-    raw = 0;
-    if (left_ != 0) number(raw, field);
+  /// Two numbers at the end of a line. The second, or both, may be missing, and the first may be empty before the
+  /// second: 0.
+  template <class First, class Second>
+  void last_numbers(First& first, const NumberField& first_field, Second& second, const NumberField& second_field) {
+    first = 0;
+    second = 0;
+    if (left_ == 1 || (left_ == 2 && !skip_empty())) number(first, first_field);
+    if (left_ != 0) number(second, second_field);
   }
   void colour(sensor::Rgb& rgb);
   void colour_or_empty(std::optional<sensor::Rgb>& rgb);

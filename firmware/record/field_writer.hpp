@@ -46,10 +46,15 @@ class FieldWriter {
   void last_word(Enum value, Enum last) {
     if (value != Enum{}) word(value, last);
   }
-  /// A number at the end of a line; nothing for 0.
-  template <class Rep>
-  void last_number(Rep raw, const NumberField& field) {
-    if (raw != 0) number(raw, field);
+  /// Two numbers at the end of a line. Nothing for a 0 at its end, an empty field for one before it.
+  template <class First, class Second>
+  void last_numbers(First first, const NumberField& first_field, Second second, const NumberField& second_field) {
+    if (first != 0) {
+      number(first, first_field);
+    } else if (second != 0) {
+      put(',');
+    }
+    if (second != 0) number(second, second_field);
   }
   void colour(sensor::Rgb rgb);
   void colour_or_empty(const std::optional<sensor::Rgb>& rgb) { rgb ? colour(*rgb) : put(','); }

@@ -39,7 +39,7 @@ struct KindInfo {
 
 /// By Kind.
 inline constexpr KindInfo kKindInfo[kKinds] = {
-    {"FPHDR", 5},  {"FPCAM", 14, 1}, {"FPSIG", 3, 1}, {"FPODO", 4},          {"FPFRM", 3, 0, true}, {"FPPOS", 6},
+    {"FPHDR", 5},  {"FPCAM", 14, 1}, {"FPSIG", 3, 2}, {"FPODO", 4},          {"FPFRM", 3, 0, true}, {"FPPOS", 6},
     {"FPOBJ", 13}, {"FPALR", 8},     {"FPDIG", 2},    {"FPLNK", 4},          {"FPSTA", 10},         {"FPCFG", 2},
     {"FPALV", 4},  {"FPCAL", 3},     {"FPCAR", 4},    {"FPSEC", 2, 0, true}, {"FPWAY", 2, 0, true}, {"FPSPD", 2}};
 

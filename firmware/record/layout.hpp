@@ -33,6 +33,7 @@ inline constexpr NumberField kCount{0, 4'294'967'295, 0};
 inline constexpr NumberField kSignature{0, 255, 0};
 inline constexpr NumberField kTrack{1, 65'535, 0};
 inline constexpr NumberField kWidth{1, 2'000, 3};  // of a thing: what is larger is a wall
+inline constexpr NumberField kPad{-100, 100, 0};   // px; networks were seen to pad by 7
 inline constexpr NumberField kFormatNumber{kStreamFormat, kStreamFormat, 0};
 
 template <class Record, class X>
@@ -71,7 +72,7 @@ void walk(Fields& fields, Record& r) {
   fields.number(r.signature, kSignature);
   fields.colour(r.rgb);
   fields.text(r.name);
-  fields.last_number(r.width, kWidth);
+  fields.last_numbers(r.width, kWidth, r.pad, kPad);
 }
 
 template <class Fields, Is<sensor::OdometrySample> Record>

@@ -9,6 +9,15 @@
 namespace fencepost::recon {
 namespace {
 
+// Along one axis. A pad of more than half of it leaves its middle.
+void narrow(std::int16_t& low, std::int16_t& high, std::int16_t pad, bool low_moves, bool high_moves, int last) {
+  const int ends = (low_moves ? 1 : 0) + (high_moves ? 1 : 0);
+  if (ends == 0) return;
+  const int off = std::min<int>(pad, (high - low) / ends);
+  if (low_moves) low = static_cast<std::int16_t>(std::max(low + off, 0));
+  if (high_moves) high = static_cast<std::int16_t>(std::min(high - off, last));
+}
+
 Vec2 direction_of_angle(base::Radians angle) {
   const base::SinCos sc = base::sincos_urad(static_cast<std::int64_t>(angle.raw) * 100);
   return {sc.cos, sc.sin};
@@ -74,6 +83,14 @@ Vec2 undistort(const CameraModel& camera, float u, float v) {
 Sides cut_by_border(const CameraModel& camera, const Box& box) {
   return {box.x1 <= kBorderPixels, box.x2 >= camera.width - 1 - kBorderPixels, box.y1 <= kBorderPixels,
           box.y2 >= camera.rows - 1 - kBorderPixels};
+}
+
+Box without_pad(const CameraModel& camera, const Box& box, std::int16_t pad) {
+  const Sides cut = cut_by_border(camera, box);
+  Box bare = box;
+  narrow(bare.x1, bare.x2, pad, !cut.left, !cut.right, camera.width - 1);
+  narrow(bare.y1, bare.y2, pad, !cut.top, !cut.bottom, camera.rows - 1);
+  return bare;
 }
 
 float row_of_edge(const CameraModel& camera, const Box& box, bool left) {

@@ -64,6 +64,10 @@ struct Sides {
 /// outside the image.
 Sides cut_by_border(const CameraModel& camera, const Box& box);
 
+/// The box with `pad` px off each side; below 0: added, inside the image. A side that the border cuts stays: it is no
+/// edge of the object. At least a column and a row are left, in the middle of what was.
+Box without_pad(const CameraModel& camera, const Box& box, std::int16_t pad);
+
 /// The row (px) in which an edge of a box is where it is. Straight lines are bows through a fisheye: an outer edge
 /// reaches farthest nearest to the horizon, an inner one farthest from it. Other lenses: the middle row.
 float row_of_edge(const CameraModel& camera, const Box& box, bool left);

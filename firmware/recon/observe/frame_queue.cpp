@@ -14,6 +14,16 @@ bool comes_before(const WaitingBlob& a, const WaitingBlob& b) {
 
 }  // namespace
 
+// Insertion sort: at most 16, usually in few runs.
+void put_in_order(WaitingFrame& frame) {
+  for (std::size_t i = 1; i < frame.blobs.size(); ++i) {
+    const WaitingBlob blob = frame.blobs[i];
+    std::size_t j = i;
+    for (; j > 0 && comes_before(blob, frame.blobs[j - 1]); --j) frame.blobs[j] = frame.blobs[j - 1];
+    frame.blobs[j] = blob;
+  }
+}
+
 WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
   WaitingFrame waiting;
   waiting.t = frame.t;
@@ -23,13 +33,7 @@ WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
     const Box box{blob.x1, blob.y1, blob.x2, blob.y2};
     static_cast<void>(waiting.blobs.push_back({box, blob.signature, false, blob.bearing}));
   }
-  // Insertion sort: at most 16, usually in few runs.
-  for (std::size_t i = 1; i < waiting.blobs.size(); ++i) {
-    const WaitingBlob blob = waiting.blobs[i];
-    std::size_t j = i;
-    for (; j > 0 && comes_before(blob, waiting.blobs[j - 1]); --j) waiting.blobs[j] = waiting.blobs[j - 1];
-    waiting.blobs[j] = blob;
-  }
+  put_in_order(waiting);
   return waiting;
 }
 

@@ -28,7 +28,23 @@ struct WaitingFrame {
   base::FixedVector<WaitingBlob, sensor::kMaxBlobs> blobs;
 };
 
+/// Canonical order.
+void put_in_order(WaitingFrame& frame);
+
 WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera);
+
+/// Takes off what boxes are too wide. `pad_of(signature)`: px on each side, see without_pad(). A bearing has no sides.
+template <class PadOf>
+void take_off_pads(const CameraModel& camera, const PadOf& pad_of, WaitingFrame& frame) {
+  bool changed = false;
+  for (WaitingBlob& blob : frame.blobs) {
+    const std::int16_t pad = blob.bearing ? std::int16_t{0} : pad_of(blob.signature);
+    if (pad == 0) continue;
+    blob.box = without_pad(camera, blob.box, pad);
+    changed = true;
+  }
+  if (changed) put_in_order(frame);
+}
 
 using FrameQueue = base::Ring<WaitingFrame, kMaxWaitingFrames>;
 

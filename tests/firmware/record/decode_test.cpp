@@ -62,7 +62,7 @@ TEST(Decode, RejectsAWrongNumberOfFields) {
                    {"FPODO,x,2,3", "fields"},
                    {"FPHDR,1,a,b,c", "fields"},
                    {"FPSIG,1,d02020", "fields"},
-                   {"FPSIG,1,d02020,red,0.064,1", "fields"},
+                   {"FPSIG,1,d02020,red,0.064,1,1", "fields"},
                    {"FPFRM,1,2", "fields"},
                    {"FPFRM,1,2,1", "fields"},
                    {"FPFRM,1,2,0,", "fields"},
@@ -108,6 +108,10 @@ TEST(Decode, RejectsWhatCannotBeRead) {
                    {"FPSIG,1,,red", "number"},
                    {"FPSIG,1,d020201,red", "number"},
                    {"FPSIG,,d02020,red", "number"},
+                   {"FPSIG,1,d02020,red,", "number"},
+                   {"FPSIG,1,d02020,red,,", "number"},
+                   {"FPSIG,1,d02020,red,0.064,", "number"},
+                   {"FPSIG,1,d02020,red,,4px", "number"},
                    {"FPDIG,1,0123456789ABCDEF", "number"},
                    {"FPDIG,1,0123456789abcde", "number"},
                    {"FPDIG,1,0123456789abcdef0", "number"},
@@ -141,6 +145,9 @@ TEST(Decode, RejectsWhatIsOutOfRange) {
                    {"FPODO,1,2,3,1000.0001", "range"},
                    {"FPODO,1,2,3,99999999999999999999999999", "range"},
                    {"FPSIG,1,d02020,red,2.001", "range"},
+                   {"FPSIG,1,d02020,red,,100.1", "range"},
+                   {"FPSIG,1,d02020,red,,-100.1", "range"},
+                   {"FPSIG,1,d02020,red,0,4.0", "range"},
                    {"FPSIG,256,d02020,red", "range"},
                    {"FPSIG,-1,d02020,red", "range"},
                    {"FPCFG,123456789012345678901234567890123,b", "range"},
@@ -240,6 +247,9 @@ TEST(Decode, AcceptsMoreThanTheEncoderWrites) {
   EXPECT_EQ(record("FPODO,1,-0.0000,0.50005,-1000.00"), AnyRecord(sample));
   EXPECT_EQ(record("FPSIG,001,D0a0Ff,"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, ""}));
   EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 50}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,4"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 0, 40}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05,-100.0"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 50, -1'000}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,0.0"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, ""}));
   EXPECT_EQ(record("FPCFG,%2c%2C%41, a "), AnyRecord(Setting{",,A", " a "}));
   std::string escapes;
   for (std::size_t i = 0; i < sensor::kMaxText; ++i) escapes += "%C3";

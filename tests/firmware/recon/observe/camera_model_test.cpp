@@ -70,6 +70,34 @@ TEST(CameraModel, EndsOnTheBorderAreLowerBounds) {
   }
 }
 
+// 100 x 80 px: an end at 0, 1, 98 or 99, and a row at 0, 1, 78 or 79 is on the border.
+TEST(CameraModel, APadComesOffSidesThatTheBorderDoesNotCut) {
+  const auto camera = recon::make_camera_model(simple_camera());
+  struct Case {
+    const char* what;
+    std::int16_t pad;
+    recon::Box box;
+    recon::Box bare;
+  };
+  const Case cases[] = {{"all sides", 4, {20, 10, 59, 49}, {24, 14, 55, 45}},
+                        {"none", 0, {20, 10, 59, 49}, {20, 10, 59, 49}},
+                        {"added", -4, {20, 10, 59, 49}, {16, 6, 63, 53}},
+                        {"added as far as the image goes", -4, {2, 3, 97, 77}, {0, 0, 99, 79}},
+                        {"cut at the left", 4, {1, 10, 59, 49}, {1, 14, 55, 45}},
+                        {"cut at the right and above", 4, {20, 0, 98, 49}, {24, 0, 98, 45}},
+                        {"cut below", 4, {20, 10, 59, 78}, {24, 14, 55, 78}},
+                        {"cut all around", 4, {0, 0, 99, 79}, {0, 0, 99, 79}},
+                        {"an odd size leaves its middle", 4, {20, 10, 24, 14}, {22, 12, 22, 12}},
+                        {"an even size leaves two", 4, {20, 10, 23, 13}, {21, 11, 22, 12}},
+                        {"one pixel stays", 100, {20, 10, 20, 10}, {20, 10, 20, 10}},
+                        {"cut, and narrower than the pad", 100, {0, 10, 5, 49}, {0, 29, 0, 30}}};
+  for (const Case& c : cases) {
+    const recon::Box bare = recon::without_pad(camera, c.box, c.pad);
+    EXPECT_TRUE(bare.x1 == c.bare.x1 && bare.y1 == c.bare.y1 && bare.x2 == c.bare.x2 && bare.y2 == c.bare.y2)
+        << c.what << ": " << bare.x1 << ' ' << bare.y1 << ' ' << bare.x2 << ' ' << bare.y2;
+  }
+}
+
 // Half a pixel of 316 columns is not half a pixel of 80.
 TEST(CameraModel, CoarserPixelsHaveSharperEdges) {
   EXPECT_FLOAT_EQ(recon::nominal_edge_noise(316), 1.2F);
