@@ -1,6 +1,9 @@
 #include "host/evaluate/frame_truths.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "firmware/record/records.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -57,9 +60,28 @@ std::optional<BlobOwners> owners_in(const FrameTruth& truth, const recon::Waitin
   return owners;
 }
 
+void take_off_pads(const Scene& scene, FrameTruth& truth) {
+  const recon::CameraModel camera = recon::make_camera_model(scene.camera);
+  for (sensor::Blob& blob : truth.frame.blobs) {
+    const auto known = std::ranges::find(scene.signatures, blob.signature, &SceneSignature::id);
+    if (known == scene.signatures.end() || known->pad == 0) continue;
+    record::Signature configured;
+    configured.pad = known->pad;
+    const recon::Box bare = recon::without_pad(camera, {blob.x1, blob.y1, blob.x2, blob.y2}, configured.whole_pad());
+    blob.x1 = bare.x1;
+    blob.y1 = bare.y1;
+    blob.x2 = bare.x2;
+    blob.y2 = bare.y2;
+  }
+}
+
 FrameTruths::FrameTruths(const Scene& scene) {
+  const auto keep = [&](FrameTruth truth) {
+    take_off_pads(scene, truth);
+    frames_.emplace(truth.frame.frame, std::move(truth));
+  };
   const auto summary = simulate_with_truth(
-      scene, [](std::string_view) {}, [&](const FrameTruth& truth) { frames_.emplace(truth.frame.frame, truth); });
+      scene, [](std::string_view) {}, keep);
   if (!summary.ok()) frames_.clear();
 }
 

@@ -21,6 +21,9 @@ using BlobOwners = std::vector<std::optional<std::size_t>>;
 /// one counts.
 std::optional<BlobOwners> owners_in(const FrameTruth& truth, const recon::WaitingFrame& frame);
 
+/// Takes off the boxes of a scene's frame what the robot takes off, by the scene's signatures.
+void take_off_pads(const Scene& scene, FrameTruth& truth);
+
 class FrameTruths {
  public:
   /// Simulates the scene; empty if it has no path or cannot be simulated.

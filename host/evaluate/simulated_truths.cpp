@@ -57,11 +57,11 @@ class SimulatedTruths::Ahead {
     return any;
   }
 
-  void give(const FrameTruth& truth) {
+  void give(FrameTruth truth) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return waiting_.size() < kAhead || stopped_; });
     if (stopped_) throw Stopped();
-    waiting_.push_back(truth);
+    waiting_.push_back(std::move(truth));
     // Woken less often, the other one does not wait for single frames.
     if (waiting_.size() == 1 || waiting_.size() == kAhead) changed_.notify_all();
   }
@@ -69,7 +69,11 @@ class SimulatedTruths::Ahead {
   void simulate_all(const Scene& scene) {
     try {
       static_cast<void>(simulate_with_truth(
-          scene, [](std::string_view) {}, [this](const FrameTruth& truth) { give(truth); }));
+          scene, [](std::string_view) {},
+          [&](FrameTruth truth) {
+            take_off_pads(scene, truth);
+            give(std::move(truth));
+          }));
     } catch (const Stopped&) {
     } catch (...) {
       const std::lock_guard lock(mutex_);

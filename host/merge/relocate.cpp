@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "firmware/recon/observe/frame_queue.hpp"
@@ -19,11 +20,13 @@ struct RunSink {
   std::optional<sensor::CameraIntrinsics> camera{};
   std::vector<sensor::OdometrySample> odometry{};
   std::vector<sensor::BlobFrame> frames{};
+  std::map<std::uint8_t, std::int16_t> pads{};  ///< px, by signature
 
   [[nodiscard]] bool wanted(base::Time t) const {
     return !(options.from && t.to_double() < *options.from) && !(options.to && t.to_double() > *options.to);
   }
   void accept(const sensor::CameraIntrinsics& told) { camera = told; }
+  void accept(const record::Signature& signature) { pads[signature.signature] = signature.whole_pad(); }
   void accept(const sensor::OdometrySample& sample) {
     if (wanted(sample.t)) odometry.push_back(sample);
   }
@@ -59,7 +62,12 @@ class Drive {
     }
     last_ = pose;
     const recon::LensPose lens = recon::lens_pose(pose, camera_);
-    const recon::WaitingFrame waiting = recon::make_waiting(frame, 0);
+    recon::WaitingFrame waiting = recon::make_waiting(frame, 0);
+    const auto pad_of = [this](std::uint8_t signature) {
+      const auto known = run_.pads.find(signature);
+      return known == run_.pads.end() ? std::int16_t{0} : known->second;
+    };
+    recon::take_off_pads(camera_, pad_of, waiting);
     recon::Observations observations;
     recon::observe(waiting.blobs.view(), camera_, observations);
     bool any = false;

@@ -109,6 +109,7 @@ void JsonNode::fail(std::string what, std::string remedy) const {
 bool JsonNode::has(std::string_view key) const { return value_->contains(key); }
 bool JsonNode::is_null() const { return value_->is_null(); }
 bool JsonNode::is_array() const { return value_->is_array(); }
+bool JsonNode::is_object() const { return value_->is_object(); }
 bool JsonNode::is_text() const { return value_->is_string(); }
 std::string JsonNode::written() const { return value_->dump(); }
 

@@ -43,6 +43,7 @@ class JsonNode {
 
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_object() const;
   [[nodiscard]] bool is_text() const;
   [[nodiscard]] double number(double low, double high, std::string_view unit) const;
   /// Greater than zero.

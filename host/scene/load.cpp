@@ -102,7 +102,7 @@ Scene read_scene(const JsonNode& root) {
   if (const auto path = root.find("path")) read_path(*path, scene);
   if (const auto odometry = root.find("odometry")) scene.odometry = read_odometry(*odometry);
   if (const auto noise = root.find("noise")) {
-    scene.noise = read_noise(*noise);
+    scene.noise = read_noise(*noise, scene.signatures);
     check_odometry_noise(*noise, scene.odometry);
   }
   return scene;

@@ -51,6 +51,8 @@ std::uint16_t read_width(const JsonNode& node) {
   return millimetres(2 * (a + b) / std::numbers::pi);
 }
 
+constexpr double kMaxPad = 100;  // px, as the record has it
+
 }  // namespace
 
 sensor::Lens read_lens(const JsonNode& node) {
@@ -89,7 +91,7 @@ void read_camera(const JsonNode& node, Scene& scene) {
 }
 
 SceneSignature read_signature(const JsonNode& node) {
-  node.expect_keys({"id", "name", "rgb", "size"});
+  node.expect_keys({"id", "name", "rgb", "size", "pad"});
   SceneSignature signature;
   signature.id = static_cast<std::uint8_t>(node.at("id").integer(0, 255));
   const auto name = node.find("name");
@@ -104,6 +106,8 @@ SceneSignature read_signature(const JsonNode& node) {
   };
   signature.rgb = {channel(0), channel(2), channel(4)};
   if (const auto size = node.find("size")) signature.width = read_width(*size);
+  const auto pad = base::Pixels1::nearest(node.number_or("pad", 0, -kMaxPad, kMaxPad, "px"));
+  signature.pad = static_cast<std::int16_t>(pad.raw);
   return signature;
 }
 

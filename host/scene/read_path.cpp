@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <string>
 
 #include "host/scene/read_scene.hpp"
 #include "host/scene/rounded_path.hpp"
@@ -97,6 +99,22 @@ double duration_of(const Scene& scene) {
   return duration;
 }
 
+/// One number for all colours, or {"id": px} of some.
+void read_edge_bias(const JsonNode& node, const std::vector<SceneSignature>& signatures, SceneNoise& noise) {
+  const auto pixels = [](const JsonNode& number) { return number.number(-100, 100, "px"); };
+  if (!node.is_object()) {
+    noise.edge_bias_px = pixels(node);
+    return;
+  }
+  for (const std::string& key : node.keys()) {
+    const auto known = std::ranges::find_if(
+        signatures, [&](const SceneSignature& signature) { return std::to_string(signature.id) == key; });
+    const JsonNode of = node.at(key);
+    if (known == signatures.end()) of.fail("signature " + key + " is not defined", "write the id of a signature");
+    noise.edge_bias_of[known->id] = pixels(of);
+  }
+}
+
 }  // namespace
 
 void read_path(const JsonNode& node, Scene& scene) {
@@ -130,7 +148,7 @@ std::vector<TimedPose> read_object_path(const JsonNode& node) {
   return read_poses(node).poses;
 }
 
-SceneNoise read_noise(const JsonNode& node) {
+SceneNoise read_noise(const JsonNode& node, const std::vector<SceneSignature>& signatures) {
   node.expect_keys({"edge_px",
                     "edge_bias_px",
                     "loss_probability",
@@ -163,7 +181,7 @@ SceneNoise read_noise(const JsonNode& node) {
     value = node.number_or(key, value, low, high, unit);
   };
   read("edge_px", noise.edge_px, 0, 100, "px");
-  read("edge_bias_px", noise.edge_bias_px, -100, 100, "px");
+  if (const auto bias = node.find("edge_bias_px")) read_edge_bias(*bias, signatures, noise);
   read("loss_probability", noise.loss_probability, 0, 1, "");
   read("loss_min", noise.loss_min, 0, 1, "of the width");
   read("loss_max", noise.loss_max, 0, 1, "of the width");

@@ -22,7 +22,8 @@ void read_path(const JsonNode& node, Scene& scene);
 std::vector<TimedPose> read_object_path(const JsonNode& node);
 /// Times lie between 0 and this, s; the stream's clock ends at 999999.
 inline constexpr double kLongestRun = 900'000;
-SceneNoise read_noise(const JsonNode& node);
+/// `signatures`: of the scene; its noise may differ from one to the next.
+SceneNoise read_noise(const JsonNode& node, const std::vector<SceneSignature>& signatures);
 SceneOdometry read_odometry(const JsonNode& node);
 /// Errors of poses are none of a car's readings, and the other way round.
 void check_odometry_noise(const JsonNode& noise, const SceneOdometry& odometry);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,6 +20,7 @@ struct SceneSignature {
   std::string name;
   sensor::Rgb rgb;
   std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: unknown
+  std::int16_t pad = 0;     ///< tenths of a px: the robot takes so much off each side of this colour's boxes
 };
 
 struct TimedPose {
@@ -100,6 +102,7 @@ struct SceneNoise {
   double pitch_error = 0;
   double latency_jitter = 0;
   double frame_drop_probability = 0;
+  std::map<std::uint8_t, double> edge_bias_of{};  ///< of single signatures, px, in the place of edge_bias_px
 };
 
 struct Scene {

@@ -110,6 +110,8 @@ Json noise_json(const SceneNoise& noise) {
   };
   put("edge_px", &SceneNoise::edge_px);
   put("edge_bias_px", &SceneNoise::edge_bias_px);
+  if (!noise.edge_bias_of.empty()) out["edge_bias_px"] = Json::object();
+  for (const auto& [signature, px] : noise.edge_bias_of) out["edge_bias_px"][std::to_string(signature)] = px;
   put("loss_probability", &SceneNoise::loss_probability);
   put("loss_min", &SceneNoise::loss_min);
   put("loss_max", &SceneNoise::loss_max);
@@ -166,6 +168,7 @@ std::string write_scene(const Scene& scene) {
   for (const SceneSignature& s : scene.signatures) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
     if (s.width > 0) root["signatures"].back()["size"] = s.width / 1e3;
+    if (s.pad != 0) root["signatures"].back()["pad"] = s.pad / 1e1;
   }
   root["objects"] = Json::array();
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));

@@ -57,9 +57,11 @@ struct Draws {
 };
 
 /// An end on the image's first or last line stays there: the object goes on outside, whatever its edge does.
-Extent moved_edges(const PixelBox& box, const LabelImage& image, const SceneNoise& noise, const Draws& draws) {
+Extent moved_edges(const PixelBox& box, std::uint8_t signature, const LabelImage& image, const SceneNoise& noise,
+                   const Draws& draws) {
   Extent extent{box.x1 - 0.5, box.y1 - 0.5, box.x2 + 0.5, box.y2 + 0.5};
-  const double out = noise.edge_bias_px;
+  const auto own = noise.edge_bias_of.find(signature);
+  const double out = own == noise.edge_bias_of.end() ? noise.edge_bias_px : own->second;
   if (box.x1 > 0) extent.left += noise.edge_px * draws.jitter[0] - out;
   if (box.x2 < image.width() - 1) extent.right += noise.edge_px * draws.jitter[1] + out;
   if (box.y1 > 0) extent.top += noise.edge_px * draws.jitter[2] - out;
@@ -179,11 +181,11 @@ void detect_piece(const Scene& scene, const LabelImage& image, const Piece& piec
   const Draws draws(random);
   if (draws.miss < scene.noise.miss_probability) return;
   Candidate whole = as_seen(piece, image);
-  whole.extent = moved_edges(piece.box, image, scene.noise, draws);
+  const std::uint8_t signature = scene.objects[piece.object].signature;
+  whole.extent = moved_edges(piece.box, signature, image, scene.noise, draws);
   const double width = whole.extent.width();
   if (width <= 0) return;
   grow(whole, scene.noise, width, draws);
-  const std::uint8_t signature = scene.objects[piece.object].signature;
   for (const Candidate& candidate : damaged(whole, scene.noise, width, draws)) {
     const auto box = to_pixels(candidate.extent, image);
     if (!box) continue;

@@ -55,6 +55,13 @@ TEST(RobotFile, ASceneServesToo) {
   EXPECT_EQ(robot.settings[0].second, "0.31");
 }
 
+TEST(RobotFile, SignaturesHaveASizeAndAPad) {
+  const RobotFile robot = read(R"({"signatures": [{"id": 2, "rgb": "E0D010", "size": 0.05, "pad": 3.5}]})");
+  ASSERT_EQ(robot.signatures.size(), 1U);
+  EXPECT_EQ(robot.signatures[0].width, 50);
+  EXPECT_EQ(robot.signatures[0].pad, 35);
+}
+
 // A signature's colour and 40 to either side, inside 16..240.
 TEST(RobotFile, ACmucamsWindowsLieAroundTheColours) {
   const RobotFile robot = read(R"({"signatures": [{"id": 3, "rgb": "d02080"}]})");

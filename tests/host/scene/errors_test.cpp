@@ -84,6 +84,12 @@ INSTANTIATE_TEST_SUITE_P(Signatures, BrokenScene,
                          testing::Values(Fault{"\"id\": 2", "\"id\": 1", "/signatures/1/id", "twice", "id of its own"},
                                          Fault{"\"id\": 2", "\"id\": 256", "/signatures/1/id", "out of range", "255"},
                                          Fault{"\"2020d0\"", "\"blue\"", "/signatures/1/rgb", "not a colour", "RRGGBB"},
+                                         Fault{"\"2020d0\"", "\"2020d0\", \"pad\": 101", "/signatures/1/pad",
+                                               "out of range", "-100 to 100 px"},
+                                         Fault{"\"edge_bias_px\": 2", "\"edge_bias_px\": {\"7\": 2}",
+                                               "/noise/edge_bias_px/7", "signature 7 is not defined", "id"},
+                                         Fault{"\"edge_bias_px\": 2", "\"edge_bias_px\": {\"1\": -101}",
+                                               "/noise/edge_bias_px/1", "out of range", "px"},
                                          Fault{"\"signature\": 2", "\"signature\": 7", "/objects/1/signature",
                                                "signature 7 is not defined", "add it"}));
 

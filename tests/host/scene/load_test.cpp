@@ -133,6 +133,21 @@ TEST(Scene, WrittenScenesReadBackTheSame) {
   }
 }
 
+TEST(Scene, SignaturesMayHaveAPadAndABiasOfTheirOwn) {
+  std::string text = replaced(valid_scene(), R"("rgb": "2020d0")", R"("rgb": "2020d0", "pad": -2.54)");
+  text = replaced(text, R"("edge_bias_px": 2)", R"("edge_bias_px": {"2": 3.5})");
+  const LoadedScene first = parse_scene(text, "s");
+  ASSERT_TRUE(first.ok()) << first.error().message();
+  const LoadedScene second = parse_scene(write_scene(*first), "s");
+  ASSERT_TRUE(second.ok()) << second.error().message();
+  for (const LoadedScene& scene : {first, second}) {
+    EXPECT_EQ(scene->signatures[0].pad, 0);
+    EXPECT_EQ(scene->signatures[1].pad, -25);
+    EXPECT_EQ(scene->noise.edge_bias_px, 0);
+    EXPECT_EQ(scene->noise.edge_bias_of, (std::map<std::uint8_t, double>{{2, 3.5}}));
+  }
+}
+
 TEST(Scene, TheRobotHasEndsOrAFootprint) {
   const auto with = [](const std::string& robot) {
     return parse_scene(replaced(valid_scene(), R"("robot": {"width": 0.25})", "\"robot\": " + robot), "s");

@@ -106,6 +106,28 @@ TEST(Noise, EdgeBiasMovesAllFourEdgesOutAndKeepsTheDraws) {
   }
 }
 
+TEST(Noise, EdgeBiasMayBeOfOneColour) {
+  Scene scene = stare(20);
+  const Simulated plain = run(scene);
+  scene.noise.edge_bias_px = 3;
+  scene.noise.edge_bias_of = {{1, 5}, {2, 7}};
+  const Simulated padded = run(scene);
+  ASSERT_EQ(padded.log.frames.size(), plain.log.frames.size());
+  for (std::size_t i = 0; i < plain.log.frames.size(); ++i) {
+    EXPECT_EQ(padded.log.frames[i].blobs.at(0).x1, plain.log.frames[i].blobs.at(0).x1 - 5);
+  }
+}
+
+// The pad is configured on the robot: the camera's boxes do not change by it.
+TEST(Noise, APadIsWrittenAndLeavesTheBoxes) {
+  Scene scene = stare(20);
+  const Simulated plain = run(scene);
+  scene.signatures[0].pad = 40;
+  const Simulated told = run(scene);
+  EXPECT_EQ(told.log.signatures.at(0).pad, 40);
+  EXPECT_EQ(told.log.frames, plain.log.frames);
+}
+
 TEST(Noise, JitterLeavesBorderEndsOnTheBorder) {
   Scene scene = stare(300);
   scene.objects = {box_object(1, 1.0, 0.2, 1.2, 1.0, 0.2)};
