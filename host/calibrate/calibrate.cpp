@@ -12,6 +12,7 @@
 #include "host/calibrate/fit.hpp"
 #include "host/calibrate/known.hpp"
 #include "host/calibrate/outline.hpp"
+#include "host/calibrate/pads.hpp"
 #include "host/calibrate/start.hpp"
 
 namespace fencepost::host {
@@ -91,7 +92,8 @@ std::vector<SightingResidual> as_told(const StartedProblem& started, Estimate to
 }
 
 Calibration conclude(const DriveLog& log, const StartedProblem& started, const Estimate& told,
-                     const CalibratedMatrix& matrix, const std::array<bool, kCalibrated>& held) {
+                     const SolverOptions& options, const CalibratedMatrix& matrix,
+                     const std::array<bool, kCalibrated>& held) {
   const CalibrationProblem& problem = started.problem;
   Calibration calibration;
   calibration.frames = started.frames;
@@ -101,7 +103,8 @@ Calibration conclude(const DriveLog& log, const StartedProblem& started, const E
   calibration.findings = findings_of(problem, started.estimate, matrix, held);
   calibration.told = log.camera;
   calibration.found = calibrated(log.camera, started.estimate, held);
-  calibration.signatures = log.signatures;
+  calibration.pads = pads_of(started, options, matrix, log.signatures);
+  calibration.signatures = with_pads(log.signatures, calibration.pads);
   const WheelValues& wheels = started.estimate.wheels;
   calibration.wheels = {wheels[kStep], wheels[kTurn], wheels[kCurve]};
   const std::vector<SightingResidual> before = as_told(started, told);
@@ -169,6 +172,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   if (const auto failed = fit(started, all, step_done)) return refuse(no_fit(*failed));
   if (const auto why = too_few(started.estimate.objects.size())) return refuse(*why);
   std::optional<CalibratedMatrix> matrix = covariance_at(started.problem, all, started.estimate);
+  free_pads(started, all, matrix);
   free_lens(started, all, matrix);
   if (!matrix) return refuse(fmt::format("what it shows leaves the calibration open; {}", kGuide));
   step_done();
@@ -176,7 +180,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   SolverOptions observed = all;
   const auto held = hold(to_be_held(started.problem, all, *matrix), observed, started);
   if (const auto failed = solve(started.problem, observed, started.estimate)) return refuse(no_fit(*failed));
-  outcome.calibration = conclude(log, started, told, *matrix, held);
+  outcome.calibration = conclude(log, started, told, observed, *matrix, held);
   const auto& findings = outcome.calibration->findings;
   if (std::ranges::none_of(findings, [](const Finding& f) { return f.essential && f.observed; })) {
     outcome.calibration.reset();

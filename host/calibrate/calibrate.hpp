@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -50,6 +51,14 @@ struct Finding {
   std::string_view motion;  ///< the drive that would determine it
 };
 
+/// Of a colour's boxes: px that they are too wide on each side.
+struct FoundPad {
+  std::uint8_t signature = 0;
+  double told = 0;
+  double found = 0;
+  double sigma = 0;  ///< standard deviation
+};
+
 /// To the wheels' reported motion: factors minus 1, and what each metre turns unreported, rad.
 struct WheelCorrection {
   double step = 0;
@@ -77,7 +86,8 @@ struct Calibration {
   Residuals after;
   sensor::CameraIntrinsics told;
   sensor::CameraIntrinsics found;
-  std::vector<record::Signature> signatures;
+  std::vector<record::Signature> signatures;  ///< with the pads that were found
+  std::vector<FoundPad> pads;                 ///< that the log is sure of
   WheelCorrection wheels;
   std::vector<CalibratedObject> objects;
   std::vector<Point> way_before;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -68,8 +69,24 @@ Json signatures_json(const std::vector<record::Signature>& signatures) {
          {"name", std::string(signature.name.view())},
          {"rgb", fmt::format("{:02x}{:02x}{:02x}", signature.rgb.red, signature.rgb.green, signature.rgb.blue)}});
     if (signature.width > 0) out.back()["size"] = signature.width / 1e3;
+    if (signature.pad != 0) out.back()["pad"] = signature.pad / 1e1;
   }
   return out;
+}
+
+/// A signature that the robot has keeps all else.
+void put_pads(const Calibration& found, Json& robot) {
+  for (const FoundPad& pad : found.pads) {
+    const auto known = std::ranges::find(found.signatures, pad.signature, &record::Signature::signature);
+    if (known == found.signatures.end()) continue;
+    Json& list = robot["signatures"];
+    const auto own = std::ranges::find_if(list, [&](const Json& entry) { return entry.at("id") == pad.signature; });
+    if (own == list.end()) {
+      list.push_back(signatures_json({*known}).at(0));
+    } else {
+      (*own)["pad"] = known->pad / 1e1;
+    }
+  }
 }
 
 }  // namespace
@@ -86,6 +103,7 @@ base::Result<std::string, RobotProblem> calibrated_robot(const Calibration& cali
   if (!robot.contains("signatures") && !calibration.signatures.empty()) {
     robot["signatures"] = signatures_json(calibration.signatures);
   }
+  put_pads(calibration, robot);
   if (robot.contains("wheels")) correct_wheels(calibration.wheels, robot["wheels"]);
   return robot.dump(2) + "\n";
 }

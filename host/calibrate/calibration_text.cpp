@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
 
 #include "firmware/record/encode.hpp"
+#include "host/calibrate/known.hpp"
 #include "host/result/geojson.hpp"
 #include "host/text/printable.hpp"
 
@@ -22,6 +24,29 @@ std::string row_of(const Finding& finding) {
   const std::string sigma = finding.held ? "" : number(finding.sigma, finding.decimals);
   return fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told, finding.decimals), found,
                      sigma, finding.unit);
+}
+
+std::string row_of(const FoundPad& pad, const std::vector<record::Signature>& signatures) {
+  constexpr int kDecimals = 1;
+  const std::string label = "pad of " + printable(signature_name(signatures, pad.signature));
+  return fmt::format("{:<18}{:>10}{:>11}{:>10}  px\n", label, number(pad.told, kDecimals), number(pad.found, kDecimals),
+                     number(pad.sigma, kDecimals));
+}
+
+/// The signatures whose pads were found.
+std::vector<record::Signature> padded(const Calibration& calibration) {
+  std::vector<record::Signature> all;
+  for (const record::Signature& signature : calibration.signatures) {
+    const auto of_it = [&](const FoundPad& pad) { return pad.signature == signature.signature; };
+    if (std::ranges::any_of(calibration.pads, of_it)) all.push_back(signature);
+  }
+  return all;
+}
+
+template <class Record>
+std::string line_of(const Record& record) {
+  std::array<char, record::kMaxLine> line{};
+  return {line.data(), record::encode(record, line)};
 }
 
 /// The drives that the log lacks, and for which numbers.
@@ -64,10 +89,8 @@ nlohmann::ordered_json residuals_json(const Residuals& residuals) {
 
 }  // namespace
 
-std::string camera_line(const sensor::CameraIntrinsics& camera) {
-  std::array<char, record::kMaxLine> line{};
-  return {line.data(), record::encode(camera, line)};
-}
+std::string camera_line(const sensor::CameraIntrinsics& camera) { return line_of(camera); }
+std::string signature_line(const record::Signature& signature) { return line_of(signature); }
 
 std::string calibration_text(const Calibration& calibration, const std::string& log_name) {
   std::string text = fmt::format("{}: {} frames, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
@@ -75,10 +98,13 @@ std::string calibration_text(const Calibration& calibration, const std::string& 
                                  calibration.seconds, calibration.driven, calibration.turned * kDegrees);
   text += fmt::format("{:<18}{:>10}{:>11}{:>10}\n", "", "configured", "found", "+-");
   for (const Finding& finding : calibration.findings) text += row_of(finding);
+  for (const FoundPad& pad : calibration.pads) text += row_of(pad, calibration.signatures);
   text += residual_rows(calibration);
   text += missing(calibration, true, "Not found from this log, and left as configured");
   text += missing(calibration, false, "Hardly known from this log, and mostly as configured");
-  return text + "\n" + camera_line(calibration.found);
+  text += "\n" + camera_line(calibration.found);
+  for (const record::Signature& signature : padded(calibration)) text += signature_line(signature);
+  return text;
 }
 
 std::string calibration_json(const Calibration& calibration) {
@@ -98,8 +124,18 @@ std::string calibration_json(const Calibration& calibration) {
     if (!finding.observed) entry["motion"] = finding.motion;
     parameters[std::string(finding.key)] = std::move(entry);
   }
-  std::string line = camera_line(calibration.found);
-  line.erase(line.find('\r'));
+  const auto without_end = [](std::string line) { return line.substr(0, line.find('\r')); };
+  nlohmann::ordered_json pads = nlohmann::ordered_json::array();
+  for (const FoundPad& pad : calibration.pads) {
+    pads.push_back({{"signature", pad.signature},
+                    {"configured", rounded(pad.told, kDecimals)},
+                    {"found", rounded(pad.found, kDecimals)},
+                    {"sigma", rounded(pad.sigma, kDecimals)}});
+  }
+  nlohmann::ordered_json signatures = nlohmann::ordered_json::array();
+  for (const record::Signature& signature : padded(calibration)) {
+    signatures.push_back(without_end(signature_line(signature)));
+  }
   const nlohmann::ordered_json root = {
       {"format", 1},
       {"complete", calibration.complete()},
@@ -110,7 +146,9 @@ std::string calibration_json(const Calibration& calibration) {
       {"turned", rounded(calibration.turned, kDecimals)},
       {"parameters", std::move(parameters)},
       {"residuals", {{"before", residuals_json(calibration.before)}, {"after", residuals_json(calibration.after)}}},
-      {"fpcam", line}};
+      {"pads", std::move(pads)},
+      {"fpcam", without_end(camera_line(calibration.found))},
+      {"fpsig", std::move(signatures)}};
   return root.dump() + "\n";
 }
 

@@ -7,7 +7,8 @@
 
 namespace fencepost::host {
 
-/// A table of configured and found, residuals before and after, what to drive for the rest, and the $FPCAM line.
+/// A table of the configured and the estimated numbers, residuals before and after, and what to drive for the rest.
+/// Then the $FPCAM line, and the $FPSIG lines of colours whose pad was found.
 std::string calibration_text(const Calibration& calibration, const std::string& log_name);
 
 /// The same as one line of JSON; the layout is in share/doc/calibrate.md.
@@ -15,5 +16,6 @@ std::string calibration_json(const Calibration& calibration);
 
 /// The record with its line end.
 std::string camera_line(const sensor::CameraIntrinsics& camera);
+std::string signature_line(const record::Signature& signature);
 
 }  // namespace fencepost::host

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
+#include "host/calibrate/calibration_text.hpp"
 #include "host/calibrate/known.hpp"
 #include "host/text/printable.hpp"
 
@@ -62,17 +64,33 @@ std::string what_it_is(const Cause& cause, const std::string& name) {
   return "";
 }
 
-std::string what_to_do(const Cause& cause, const record::Signature* signature, const std::string& log) {
+/// Without its checksum, as it is typed.
+std::string typed(const record::Signature& signature) {
+  const std::string line = signature_line(signature);
+  return line.substr(0, line.find('*'));
+}
+
+/// The records of these colours without the pad that was found beside what is configured.
+std::string unpad(const Cause& cause, std::vector<record::Signature> signatures) {
+  std::string lines;
+  for (record::Signature& signature : signatures) {
+    signature.pad = static_cast<std::int16_t>(base::Pixels1::nearest(signature.whole_pad() + cause.found).raw);
+    lines += (lines.empty() ? "" : " ") + typed(signature);
+  }
+  if (lines.empty()) return "name the colour by $FPSIG and give its pad there";
+  return "configure it as the pad of the colour; by this log: " + lines;
+}
+
+/// `signatures`: that it is about.
+std::string what_to_do(const Cause& cause, const std::vector<record::Signature>& signatures, const std::string& log) {
   switch (cause.kind) {
-    case CauseKind::kPad:
-      return fmt::format("{} {:.0f} px {} each edge where the boxes are made, or train the colour again",
-                         cause.found > 0 ? "take" : "add", std::max(1.0, std::round(std::abs(cause.found))),
-                         cause.found > 0 ? "off" : "to");
-    case CauseKind::kWidth:
-      if (signature == nullptr) return "";
-      return fmt::format("measure it; by this log: $FPSIG,{},{:02x}{:02x}{:02x},{},{:.3f}", signature->signature,
-                         signature->rgb.red, signature->rgb.green, signature->rgb.blue,
-                         printable(signature->name.view()), cause.found);
+    case CauseKind::kPad: return unpad(cause, signatures);
+    case CauseKind::kWidth: {
+      if (signatures.empty()) return "";
+      record::Signature signature = signatures.front();
+      signature.width = static_cast<std::uint16_t>(std::lround(1e3 * cause.found));
+      return "measure it; by this log: " + typed(signature);
+    }
     case CauseKind::kStep:
     case CauseKind::kTurn:
     case CauseKind::kCurve:
@@ -105,8 +123,10 @@ doctor::Findings findings_of_causes(const std::vector<Cause>& causes, const std:
                                     const std::string& log) {
   doctor::Findings findings;
   for (const Cause& cause : causes) {
-    const auto known = cause.signature ? std::ranges::find(signatures, *cause.signature, &record::Signature::signature)
-                                       : signatures.end();
+    std::vector<record::Signature> about;
+    std::ranges::copy_if(signatures, std::back_inserter(about), [&](const record::Signature& signature) {
+      return !cause.signature || signature.signature == *cause.signature;
+    });
     const std::string name = cause.signature ? signature_name(signatures, *cause.signature) : "all colours";
     std::string what = what_it_is(cause, printable(name)) + fmt::format(" (by {} object{} in {} boxes)", cause.objects,
                                                                         cause.objects == 1 ? "" : "s", cause.sightings);
@@ -114,8 +134,8 @@ doctor::Findings findings_of_causes(const std::vector<Cause>& causes, const std:
       what += fmt::format("{} {}", i == 0 ? "; this log does not exclude" : " or", words(cause.or_else[i]));
     }
     if (!cause.or_else.empty()) what += " instead";
-    findings.push_back({doctor::Severity::kWarning, code_of(cause.kind), std::move(what),
-                        what_to_do(cause, known == signatures.end() ? nullptr : &*known, log)});
+    findings.push_back(
+        {doctor::Severity::kWarning, code_of(cause.kind), std::move(what), what_to_do(cause, about, log)});
   }
   return findings;
 }

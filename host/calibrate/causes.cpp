@@ -12,6 +12,7 @@
 
 #include "host/calibrate/findings.hpp"
 #include "host/calibrate/fit.hpp"
+#include "host/calibrate/pads.hpp"
 #include "host/calibrate/regroup.hpp"
 
 namespace fencepost::host {
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double kSure = 3;           ///< sigmas
 constexpr double kWidthError = 0.05;  ///< of a width in FPSIG (share/doc/stream.md)
-/// Minimum number of objects for a pad, and for conclusions about others: shapes that do not fit look like a pad, too.
-constexpr std::size_t kFewObjects = 4;
 
 using Matrix = std::vector<std::vector<double>>;
 
@@ -168,7 +167,7 @@ class Search {
     std::vector<Cause> causes;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const Suspect& suspect = suspects_[chosen[i]];
-      if (suspect.kind == CauseKind::kPad && objects_of(suspect).size() < kFewObjects) continue;
+      if (suspect.kind == CauseKind::kPad && objects_of(suspect).size() < kMinPadObjects) continue;
       const double value = value_of(suspect, started_.estimate);
       if (std::abs(value) < suspect.least) continue;
       const double formal = kCaution * std::sqrt(explain(all_, suspects_, chosen).variances[i]);
@@ -220,7 +219,6 @@ class Search {
     add(CauseKind::kStep, place_of(kStep), free_.hold_wheels[kStep]);
     add(CauseKind::kTurn, place_of(kTurn));
     add(CauseKind::kCurve, place_of(kCurve));
-    constexpr double kMinPad = 0.5;  // px: a robot takes whole pixels off
     std::set<std::size_t> seen;
     std::set<std::size_t> sized;
     for (const Sighting& sighting : started_.problem.sightings) seen.insert(started_.problem.kinds[sighting.object]);
@@ -324,7 +322,7 @@ class Search {
     for (const Sighting& sighting : started_.problem.sightings) {
       if (is_about(suspect, sighting)) ++count[sighting.object];
     }
-    const std::size_t blocks = count.size() < kFewObjects ? (kParts + count.size() - 1) / count.size() : 1;
+    const std::size_t blocks = count.size() < kMinPadObjects ? (kParts + count.size() - 1) / count.size() : 1;
     const std::size_t parts = std::min(blocks * count.size(), kParts);
     std::vector<double> values;
     for (std::size_t part = 0; part < parts; ++part) {

@@ -166,6 +166,7 @@ sensor::CameraIntrinsics told_camera(const sensor::CameraIntrinsics& truth, Dice
 host::SceneNoise noise_of(const DriveOptions& options) {
   host::SceneNoise noise = scene_noise(noise_levels()[1]);
   noise.edge_px *= options.noise;
+  noise.edge_bias_px = options.pad;
   noise.pose_xy *= options.noise;
   noise.pose_heading *= options.noise;
   host::Random random(options.seed, host::Purpose::kDrift, 77);

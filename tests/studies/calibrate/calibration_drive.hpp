@@ -25,6 +25,7 @@ struct DriveOptions {
   double noise = 1;    ///< times that of level 1
   double fisheye = 0;  ///< degrees across of an equidistant lens; 0: a Pixy2's
   double drift = 1;    ///< times 1 %, 1 degree/m
+  double pad = 0;      ///< px, of all boxes on each side
 };
 
 struct CalibrationDrive {

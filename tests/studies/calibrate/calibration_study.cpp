@@ -42,20 +42,25 @@ constexpr double kMaxCovered = 0.98;
 
 using Columns = std::map<std::string_view, Column>;
 
+constexpr std::string_view kPads = "pads";
+
+/// Adds one number of a log.
+void add(Column& column, double told, double found, double sigma, double truth, double unit) {
+  const double error = (found - truth) / unit;
+  column.sum += error;
+  column.square += error * error;
+  column.told_square += std::pow((told - truth) / unit, 2);
+  column.sigma_square += std::pow(sigma / unit, 2);
+  column.covered += std::abs(found - truth) <= 1.96 * sigma ? 1U : 0U;
+  ++column.n;
+}
+
 void add(const CalibrationDrive& drive, const host::Finding& finding, Columns& columns) {
   Column& column = columns[finding.key];
   column.unit = finding.unit;
   if (finding.held) return;
   const double truth = true_value(drive, finding.key);
-  const bool share = finding.key == "focal_length";
-  const double unit = share ? truth : 1;
-  const double error = (finding.found - truth) / unit;
-  column.sum += error;
-  column.square += error * error;
-  column.told_square += std::pow((finding.told - truth) / unit, 2);
-  column.sigma_square += std::pow(finding.sigma / unit, 2);
-  column.covered += std::abs(finding.found - truth) <= 1.96 * finding.sigma ? 1U : 0U;
-  ++column.n;
+  add(column, finding.told, finding.found, finding.sigma, truth, finding.key == "focal_length" ? truth : 1);
 }
 
 bool judge(const Request& request, const Columns& columns, unsigned logs) {
@@ -92,6 +97,12 @@ bool run(const Request& request) {
       print(fmt::format("{}: {} frames, {} objects, edges {:.2f} -> {:.2f} px, rows {:.2f} -> {:.2f} px\n",
                         options.seed, c.frames, c.objects.size(), c.before.columns_px, c.after.columns_px,
                         c.before.rows_px, c.after.rows_px));
+    }
+    for (const host::FoundPad& pad : outcome.calibration->pads) {
+      columns[kPads].unit = "px";
+      add(columns[kPads], pad.told, pad.found, pad.sigma, options.pad, 1);
+      if (!request.verbose) continue;
+      print(fmt::format("{} pad of {} found {:.2f} +- {:.2f}\n", options.seed, pad.signature, pad.found, pad.sigma));
     }
     for (const host::Finding& finding : outcome.calibration->findings) {
       add(drive, finding, columns);
@@ -133,6 +144,7 @@ void options(CLI::App& app, Request& request) {
       ->capture_default_str();
   app.add_option("--noise", request.drive.noise, "times that of level 1")->capture_default_str();
   app.add_option("--drift", request.drive.drift, "times 1 %, 1 degree/m")->capture_default_str();
+  app.add_option("--pad", request.drive.pad, "px that boxes are too wide on each side")->capture_default_str();
   app.add_option("--most", request.most, "times the targets that is good enough")->capture_default_str();
   app.add_flag("!--no-judgement", request.judge, "print only");
   app.add_flag("--verbose", request.verbose, "each log");

@@ -102,8 +102,8 @@ double outline_length(const host::LinearRing& ring) {
 std::string faulty_drive(const DriveOptions& options, Fault fault, bool widths) {
   DriveOptions clean = options;
   clean.drift = 0.3;
+  if (fault == Fault::kPadAll) clean.pad = 3;
   host::Scene scene = calibration_drive(clean).scene;
-  if (fault == Fault::kPadAll) scene.noise.edge_bias_px = 3;
   for (std::size_t i = 0; widths && i < scene.signatures.size(); ++i) {
     scene.signatures[i].width = static_cast<std::uint16_t>(
         std::lround(1000 * outline_length(scene.objects[i].footprint.outer) / std::numbers::pi));

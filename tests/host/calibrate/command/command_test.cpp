@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/firmware/record/lines.hpp"
 #include "tests/host/cli/run.hpp"
 #include "tests/studies/calibrate/faulty_drive.hpp"
 
@@ -49,6 +50,62 @@ TEST(CalibrateCommand, WritesATableTheLineTheRobotFileAndAPicture) {
   EXPECT_EQ(result.at("fpcam").get<std::string>() + "\r\n", line);
 }
 
+std::string padded_drive(double pad) {
+  test::DriveOptions options;
+  options.seed = 510;
+  options.pad = pad;
+  return test::calibration_drive(options).log;
+}
+
+TEST(CalibrateCommand, FindsWhatBoxesAreTooWideAndWritesIt) {
+  const Folder folder;
+  spill(folder.path() / "run.log", padded_drive(4));
+  const Outcome run = shell(folder,
+                            "fencepost calibrate run.log --write-robot new.json && "
+                            "fencepost calibrate run.log --json -o run.json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json result = nlohmann::json::parse(slurp(folder.path() / "run.json"));
+  ASSERT_EQ(result.at("pads").size(), 4U) << "four colours of one block each share it";
+  for (const nlohmann::json& pad : result.at("pads")) {
+    const double sigma = pad.at("sigma");
+    EXPECT_LT(sigma, 0.5);
+    EXPECT_NEAR(pad.at("found").get<double>(), 4, 2 * sigma);
+    EXPECT_EQ(pad.at("configured"), 0);
+  }
+  EXPECT_NE(run.out.find("pad of red"), std::string::npos) << run.out;
+  const std::string line = result.at("fpsig").at(0);
+  EXPECT_TRUE(line.starts_with("$FPSIG,1,d02020,red,,")) << line;
+  EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
+  const nlohmann::json robot = nlohmann::json::parse(slurp(folder.path() / "new.json"));
+  EXPECT_NEAR(robot.at("signatures").at(0).at("pad").get<double>(), 4, 0.6);
+}
+
+// The log's robot takes off twice what it should. The pad that is found is the whole one.
+TEST(CalibrateCommand, GoesOnFromThePadsOfTheLog) {
+  const Folder folder;
+  std::string log = padded_drive(4);
+  std::string padded;
+  while (!log.empty()) {
+    const std::string line = log.substr(0, log.find('\n') + 1);
+    log.erase(0, line.size());
+    padded += line.starts_with("$FPSIG") ? record::sealed(line.substr(1, line.find('*') - 1) + ",,8.0") + "\r\n" : line;
+  }
+  spill(folder.path() / "run.log", padded);
+  const Outcome run = shell(folder, "fencepost calibrate run.log --json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json result = nlohmann::json::parse(run.out);
+  ASSERT_EQ(result.at("pads").size(), 4U);
+  EXPECT_EQ(result.at("pads").at(0).at("configured"), 8);
+  EXPECT_NEAR(result.at("pads").at(0).at("found").get<double>(), 4, 1);
+}
+
+TEST(CalibrateCommand, SaysNothingOfBoxesThatAreRight) {
+  const Folder folder;
+  spill(folder.path() / "run.log", drive());
+  const Outcome run = shell(folder, "fencepost calibrate run.log --json");
+  EXPECT_EQ(nlohmann::json::parse(run.out).at("pads").size(), 0U) << run.out;
+}
+
 using Codes = std::vector<std::string>;
 
 /// The codes by which `doctor` judges a log's distances.
@@ -77,6 +134,16 @@ TEST(DistancesByDoctor, EachFaultIsNamedAndNoOther) {
   EXPECT_EQ(doctor_says(test::Fault::kPadOne), Codes{});
   EXPECT_EQ(doctor_says(test::Fault::kTilt), Codes{"distance_pitch"});
   EXPECT_EQ(doctor_says(test::Fault::kTurns), Codes{"distance_turns"});
+}
+
+TEST(DistancesByDoctor, APadIsGivenAsTheLinesThatMendIt) {
+  const Folder folder;
+  test::DriveOptions options;
+  options.seed = 42'003;
+  spill(folder.path() / "run.log", test::faulty_drive(options, test::Fault::kPadAll, false));
+  const Outcome run = shell(folder, "fencepost doctor run.log");
+  EXPECT_NE(run.out.find("$FPSIG,1,d02020,red,,"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("$FPSIG,4,"), std::string::npos) << run.out;
 }
 
 /// A camera that looks at the centre of its circle: no wheels roll like that.
