@@ -84,16 +84,16 @@ class Pipeline {
   bool set_signature(const record::Signature& signature) {
     std::size_t index = 0;
     while (index < m_.signatures.size() && m_.signatures[index].signature != signature.signature) ++index;
-    std::int16_t pad = 0;
+    std::int8_t pad = 0;
     if (index == m_.signatures.size()) {
       if (!m_.signatures.push_back(signature)) return false;
     } else if (m_.signatures[index] == signature) {
       return true;
     } else {
-      pad = m_.signatures[index].whole_pad();
+      pad = m_.signatures[index].pad;
     }
     m_.signatures[index] = signature;
-    if (signature.whole_pad() != pad) forget_calibration();
+    if (signature.pad != pad) forget_calibration();
     reporter_.resend_from(reporter_.kSignatureRecords + index);
     return true;
   }
@@ -474,9 +474,9 @@ class Pipeline {
   }
 
   // Of boxes of this colour, px on each side; 0 in the self-test.
-  [[nodiscard]] std::int16_t pad_of(std::uint8_t signature) const {
+  [[nodiscard]] std::int8_t pad_of(std::uint8_t signature) const {
     const record::Signature* known = console::find_signature(signature, m_.signatures.view());
-    return known != nullptr && !m_.run.testing ? known->whole_pad() : std::int16_t{0};
+    return known != nullptr && !m_.run.testing ? known->pad : std::int8_t{0};
   }
 
   [[nodiscard]] bool widths_told() const {

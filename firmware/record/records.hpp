@@ -54,14 +54,9 @@ struct Signature {
   std::uint8_t signature = 0;
   sensor::Rgb rgb;
   sensor::Text name;
+  std::int8_t pad = 0;      ///< px that boxes of this colour are too wide on each side
   std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: not known
-  std::int16_t pad = 0;     ///< tenths of a px: boxes of this colour are so much too wide on each side
   friend constexpr bool operator==(const Signature&, const Signature&) = default;
-
-  /// The pad that the robot takes off, px: boxes have whole pixels.
-  [[nodiscard]] constexpr std::int16_t whole_pad() const {
-    return static_cast<std::int16_t>((pad + (pad < 0 ? -5 : 5)) / 10);
-  }
 };
 
 /// FPPOS: pose after correction by landmarks.

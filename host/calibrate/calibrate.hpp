@@ -54,7 +54,7 @@ struct Finding {
 /// Of a colour's boxes: px that they are too wide on each side.
 struct FoundPad {
   std::uint8_t signature = 0;
-  double told = 0;
+  double configured = 0;
   double found = 0;
   double sigma = 0;  ///< standard deviation
 };

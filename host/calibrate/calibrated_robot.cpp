@@ -69,7 +69,7 @@ Json signatures_json(const std::vector<record::Signature>& signatures) {
          {"name", std::string(signature.name.view())},
          {"rgb", fmt::format("{:02x}{:02x}{:02x}", signature.rgb.red, signature.rgb.green, signature.rgb.blue)}});
     if (signature.width > 0) out.back()["size"] = signature.width / 1e3;
-    if (signature.pad != 0) out.back()["pad"] = signature.pad / 1e1;
+    if (signature.pad != 0) out.back()["pad"] = signature.pad;
   }
   return out;
 }
@@ -84,7 +84,7 @@ void put_pads(const Calibration& found, Json& robot) {
     if (own == list.end()) {
       list.push_back(signatures_json({*known}).at(0));
     } else {
-      (*own)["pad"] = known->pad / 1e1;
+      (*own)["pad"] = known->pad;
     }
   }
 }

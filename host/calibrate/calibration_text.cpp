@@ -29,8 +29,8 @@ std::string row_of(const Finding& finding) {
 std::string row_of(const FoundPad& pad, const std::vector<record::Signature>& signatures) {
   constexpr int kDecimals = 1;
   const std::string label = "pad of " + printable(signature_name(signatures, pad.signature));
-  return fmt::format("{:<18}{:>10}{:>11}{:>10}  px\n", label, number(pad.told, kDecimals), number(pad.found, kDecimals),
-                     number(pad.sigma, kDecimals));
+  return fmt::format("{:<18}{:>10}{:>11}{:>10}  px\n", label, number(pad.configured, kDecimals),
+                     number(pad.found, kDecimals), number(pad.sigma, kDecimals));
 }
 
 /// The signatures whose pads were found.
@@ -128,7 +128,7 @@ std::string calibration_json(const Calibration& calibration) {
   nlohmann::ordered_json pads = nlohmann::ordered_json::array();
   for (const FoundPad& pad : calibration.pads) {
     pads.push_back({{"signature", pad.signature},
-                    {"configured", rounded(pad.told, kDecimals)},
+                    {"configured", rounded(pad.configured, kDecimals)},
                     {"found", rounded(pad.found, kDecimals)},
                     {"sigma", rounded(pad.sigma, kDecimals)}});
   }

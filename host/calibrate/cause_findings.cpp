@@ -9,6 +9,7 @@
 
 #include "host/calibrate/calibration_text.hpp"
 #include "host/calibrate/known.hpp"
+#include "host/calibrate/pads.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -74,7 +75,7 @@ std::string typed(const record::Signature& signature) {
 std::string unpad(const Cause& cause, std::vector<record::Signature> signatures) {
   std::string lines;
   for (record::Signature& signature : signatures) {
-    signature.pad = static_cast<std::int16_t>(base::Pixels1::nearest(signature.whole_pad() + cause.found).raw);
+    signature.pad = whole_pad(signature.pad + cause.found);
     lines += (lines.empty() ? "" : " ") + typed(signature);
   }
   if (lines.empty()) return "name the colour by $FPSIG and give its pad there";

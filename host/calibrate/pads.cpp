@@ -27,6 +27,11 @@ void join_small(CalibrationProblem& problem, const std::vector<std::size_t>& cou
 
 }  // namespace
 
+std::int8_t whole_pad(double pad) {
+  constexpr double kMaxPad = 100;  // as the record has it
+  return static_cast<std::int8_t>(std::lround(std::clamp(pad, -kMaxPad, kMaxPad)));
+}
+
 void free_pads(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix) {
   constexpr double kSure = 4;  // sigmas, as of a lens
   StartedProblem freed = started;
@@ -65,9 +70,8 @@ std::vector<FoundPad> pads_of(const StartedProblem& started, const SolverOptions
     FoundPad pad;
     pad.signature = started.signatures[o];
     const auto known = std::ranges::find(signatures, pad.signature, &record::Signature::signature);
-    if (known != signatures.end()) pad.told = known->pad / 1e1;
-    const double taken_off = known == signatures.end() ? 0 : known->whole_pad();
-    pad.found = taken_off + started.estimate.kinds[kind][kPad];
+    if (known != signatures.end()) pad.configured = known->pad;
+    pad.found = pad.configured + started.estimate.kinds[kind][kPad];
     pad.sigma = std::sqrt(matrix[place_of(kind, kPad)][place_of(kind, kPad)]);
     found.emplace(pad.signature, pad);
   }
@@ -79,7 +83,7 @@ std::vector<FoundPad> pads_of(const StartedProblem& started, const SolverOptions
 std::vector<record::Signature> with_pads(std::vector<record::Signature> signatures, const std::vector<FoundPad>& pads) {
   for (record::Signature& signature : signatures) {
     const auto found = std::ranges::find(pads, signature.signature, &FoundPad::signature);
-    if (found != pads.end()) signature.pad = static_cast<std::int16_t>(base::Pixels1::nearest(found->found).raw);
+    if (found != pads.end()) signature.pad = whole_pad(found->found);
   }
   return signatures;
 }

@@ -17,6 +17,9 @@ inline constexpr double kMinPad = 0.5;
 /// Fewer objects say nothing about others: their shapes may be what does not fit, and looks like a pad.
 inline constexpr std::size_t kMinPadObjects = 4;
 
+/// As a robot takes it off: whole px, of at most 100.
+std::int8_t whole_pad(double pad);
+
 /// Frees the pads that the log is sure of and solves again with them. A signature with few objects shares its pad with
 /// the others that have few. Nothing changes where the log is sure of none.
 void free_pads(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix);

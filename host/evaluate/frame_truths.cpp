@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "firmware/record/records.hpp"
-
 namespace fencepost::host {
 namespace {
 
@@ -65,9 +63,7 @@ void take_off_pads(const Scene& scene, FrameTruth& truth) {
   for (sensor::Blob& blob : truth.frame.blobs) {
     const auto known = std::ranges::find(scene.signatures, blob.signature, &SceneSignature::id);
     if (known == scene.signatures.end() || known->pad == 0) continue;
-    record::Signature configured;
-    configured.pad = known->pad;
-    const recon::Box bare = recon::without_pad(camera, {blob.x1, blob.y1, blob.x2, blob.y2}, configured.whole_pad());
+    const recon::Box bare = recon::without_pad(camera, {blob.x1, blob.y1, blob.x2, blob.y2}, known->pad);
     blob.x1 = bare.x1;
     blob.y1 = bare.y1;
     blob.x2 = bare.x2;

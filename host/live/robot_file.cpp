@@ -76,7 +76,7 @@ std::vector<record::Signature> read_signatures(const JsonNode& node) {
       node.at(i).at("id").fail("signature " + std::to_string(read.id) + " is there twice",
                                "give each signature an id of its own");
     }
-    signatures.push_back({read.id, read.rgb, sensor::Text(read.name), read.width, read.pad});
+    signatures.push_back({read.id, read.rgb, sensor::Text(read.name), read.pad, read.width});
   }
   return signatures;
 }

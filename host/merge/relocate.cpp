@@ -26,7 +26,7 @@ struct RunSink {
     return !(options.from && t.to_double() < *options.from) && !(options.to && t.to_double() > *options.to);
   }
   void accept(const sensor::CameraIntrinsics& told) { camera = told; }
-  void accept(const record::Signature& signature) { pads[signature.signature] = signature.whole_pad(); }
+  void accept(const record::Signature& signature) { pads[signature.signature] = signature.pad; }
   void accept(const sensor::OdometrySample& sample) {
     if (wanted(sample.t)) odometry.push_back(sample);
   }

@@ -80,7 +80,7 @@ Json signatures_json(const std::vector<record::Signature>& signatures) {
   for (const record::Signature& signature : signatures) {
     json.push_back({{"id", signature.signature}, {"name", signature.name.view()}, {"rgb", rgb_text(signature.rgb)}});
     if (signature.width > 0) json.back()["size"] = signature.width / 1e3;
-    if (signature.pad != 0) json.back()["pad"] = signature.pad / 1e1;
+    if (signature.pad != 0) json.back()["pad"] = signature.pad;
   }
   return json;
 }

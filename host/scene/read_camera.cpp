@@ -51,7 +51,7 @@ std::uint16_t read_width(const JsonNode& node) {
   return millimetres(2 * (a + b) / std::numbers::pi);
 }
 
-constexpr double kMaxPad = 100;  // px, as the record has it
+constexpr int kMaxPad = 100;  // px, as the record has it
 
 }  // namespace
 
@@ -106,8 +106,7 @@ SceneSignature read_signature(const JsonNode& node) {
   };
   signature.rgb = {channel(0), channel(2), channel(4)};
   if (const auto size = node.find("size")) signature.width = read_width(*size);
-  const auto pad = base::Pixels1::nearest(node.number_or("pad", 0, -kMaxPad, kMaxPad, "px"));
-  signature.pad = static_cast<std::int16_t>(pad.raw);
+  if (const auto pad = node.find("pad")) signature.pad = static_cast<std::int8_t>(pad->integer(-kMaxPad, kMaxPad));
   return signature;
 }
 

@@ -168,7 +168,7 @@ std::string write_scene(const Scene& scene) {
   for (const SceneSignature& s : scene.signatures) {
     root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
     if (s.width > 0) root["signatures"].back()["size"] = s.width / 1e3;
-    if (s.pad != 0) root["signatures"].back()["pad"] = s.pad / 1e1;
+    if (s.pad != 0) root["signatures"].back()["pad"] = s.pad;
   }
   root["objects"] = Json::array();
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));

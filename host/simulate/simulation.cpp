@@ -119,7 +119,7 @@ void Simulation::write(const Record& record) {
 void Simulation::write_calibration() {
   write(written_);
   for (const SceneSignature& signature : scene_.signatures) {
-    write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name), signature.width, signature.pad});
+    write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name), signature.pad, signature.width});
   }
   if (scene_.odometry.of_car()) write_car();
 }

@@ -145,8 +145,8 @@ TEST(Decode, RejectsWhatIsOutOfRange) {
                    {"FPODO,1,2,3,1000.0001", "range"},
                    {"FPODO,1,2,3,99999999999999999999999999", "range"},
                    {"FPSIG,1,d02020,red,2.001", "range"},
-                   {"FPSIG,1,d02020,red,,100.1", "range"},
-                   {"FPSIG,1,d02020,red,,-100.1", "range"},
+                   {"FPSIG,1,d02020,red,,101", "range"},
+                   {"FPSIG,1,d02020,red,,-101", "range"},
                    {"FPSIG,1,d02020,red,0,4.0", "range"},
                    {"FPSIG,256,d02020,red", "range"},
                    {"FPSIG,-1,d02020,red", "range"},
@@ -246,10 +246,10 @@ TEST(Decode, AcceptsMoreThanTheEncoderWrites) {
   const sensor::OdometrySample sample{{10'000}, {0}, {5'001}, {-10'000'000}};
   EXPECT_EQ(record("FPODO,1,-0.0000,0.50005,-1000.00"), AnyRecord(sample));
   EXPECT_EQ(record("FPSIG,001,D0a0Ff,"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, ""}));
-  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 50}));
-  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,4"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 0, 40}));
-  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05,-100.0"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 50, -1'000}));
-  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,0.0"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, ""}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 0, 50}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,4"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", 4}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,0.05,-100"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, "", -100, 50}));
+  EXPECT_EQ(record("FPSIG,001,D0a0Ff,,,0"), AnyRecord(Signature{1, {0xd0, 0xa0, 0xff}, ""}));
   EXPECT_EQ(record("FPCFG,%2c%2C%41, a "), AnyRecord(Setting{",,A", " a "}));
   std::string escapes;
   for (std::size_t i = 0; i < sensor::kMaxText; ++i) escapes += "%C3";

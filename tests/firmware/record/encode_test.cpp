@@ -14,10 +14,10 @@ std::string line(std::string_view body) { return sealed(body) + "\r\n"; }
 
 TEST(Encode, WritesTheKindsWithoutAGoldenLine) {
   EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red"}), line("FPSIG,1,d0200a,red"));
-  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 64}), line("FPSIG,1,d0200a,red,0.064"));
-  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 64, 40}), line("FPSIG,1,d0200a,red,0.064,4.0"));
-  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 0, -5}), line("FPSIG,1,d0200a,red,,-0.5"));
-  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 0, 1'001}), "");
+  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 0, 64}), line("FPSIG,1,d0200a,red,0.064"));
+  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 4, 64}), line("FPSIG,1,d0200a,red,0.064,4"));
+  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", -5}), line("FPSIG,1,d0200a,red,,-5"));
+  EXPECT_EQ(encoded(Signature{1, {0xd0, 0x20, 0x0a}, "red", 101}), "");
   EXPECT_EQ(encoded(Position{{1}, {-5}, {10'000}, {-15'708}, {20}, {30}}),
             line("FPPOS,0.0001,-0.0005,1.0000,-1.5708,0.0020,0.0030"));
   EXPECT_EQ(

@@ -62,8 +62,8 @@ class RandomRecords {
       case Kind::kHeader: return Header{kStreamFormat, text(), text(), text(), text()};
       case Kind::kCamera: return camera();
       case Kind::kSignature:
-        return Signature{u8(), rgb(), text(), static_cast<std::uint16_t>(between(0, 2000)),
-                         static_cast<std::int16_t>(below(2) == 0 ? 0 : between(-1000, 1000))};
+        return Signature{u8(), rgb(), text(), static_cast<std::int8_t>(below(2) == 0 ? 0 : between(-100, 100)),
+                         static_cast<std::uint16_t>(between(0, 2000))};
       case Kind::kOdometry: return sensor::OdometrySample{time(), position(), position(), heading()};
       case Kind::kFrame: return frame();
       case Kind::kPosition:

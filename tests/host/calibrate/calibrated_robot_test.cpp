@@ -35,7 +35,7 @@ TEST(CalibratedRobot, IsARobotFileByItself) {
 // A colour that the file has keeps all but its pad.
 TEST(CalibratedRobot, HasThePadsThatWereFound) {
   Calibration found = found_calibration();
-  found.signatures = {{1, {208, 32, 32}, "red", 50, 41}, {2, {32, 208, 32}, "green", 0, 39}, {3, {}, "blue"}};
+  found.signatures = {{1, {208, 32, 32}, "red", 4, 50}, {2, {32, 208, 32}, "green", 4}, {3, {}, "blue"}};
   found.pads = {{1, 0, 4.1, 0.2}, {2, 1, 3.9, 0.2}};
   const auto made = calibrated_robot(
       found, R"({"signatures": [{"id": 1, "name": "tomato", "rgb": "ff0000", "pad": 1}]})", "robot.json");
@@ -43,7 +43,7 @@ TEST(CalibratedRobot, HasThePadsThatWereFound) {
   const auto robot = parse_robot(*made, "made");
   ASSERT_TRUE(robot.ok()) << robot.error();
   ASSERT_EQ(robot->signatures.size(), 2U);
-  EXPECT_EQ(robot->signatures[0], (record::Signature{1, {255, 0, 0}, "tomato", 0, 41}));
+  EXPECT_EQ(robot->signatures[0], (record::Signature{1, {255, 0, 0}, "tomato", 4}));
   EXPECT_EQ(robot->signatures[1], found.signatures[1]);
 }
 

@@ -86,7 +86,7 @@ TEST(Configure, WritesDevicesSettingsCalibrationAndColours) {
   EXPECT_TRUE(text.starts_with("$FPCFG,camera,pixy2.1\n$FPCFG,odometry,encoders\n$FPCFG,wheel.diameter,")) << text;
   EXPECT_NE(text.find("\n$FPCFG,wheel.track,155.0\n$FPCFG,alert.stop,0.30\n$FPCFG,alert.warn,0.70\n"
                       "$FPCAM,pixy2.1,316,208,188.30,188.30,157.50,103.50,0.0000,0.0500,0.0000,0.1200,0.0000,0.0000,"
-                      "0.0330\n$FPSIG,1,d02020,red,,4.0\n"),
+                      "0.0330\n$FPSIG,1,d02020,red,,4\n"),
             std::string::npos)
       << text;
   EXPECT_GT(configured->used, 200U);

@@ -282,13 +282,12 @@ TEST(DoctorFindings, ComeWhereTheyAreProvoked) {
   }
 }
 
-// 1.5 px are configured, so 2 were taken off.
 TEST(DoctorFindings, APadIsAddedToWhatTheRobotTakesOff) {
   const Cause pad{.kind = CauseKind::kPad, .signature = 1, .found = 2.34, .sigma = 0.1};
-  const std::vector<record::Signature> known = {{1, {0xd0, 0x20, 0x20}, "red", 64, 15}, {2, {}, "blue"}};
+  const std::vector<record::Signature> known = {{1, {0xd0, 0x20, 0x20}, "red", 2, 64}, {2, {}, "blue"}};
   const Findings findings = findings_of_causes({pad}, known, "a.log");
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_TRUE(findings[0].remedy.ends_with(" $FPSIG,1,d02020,red,0.064,4.3")) << findings[0].remedy;
+  EXPECT_TRUE(findings[0].remedy.ends_with(" $FPSIG,1,d02020,red,0.064,4")) << findings[0].remedy;
 }
 
 TEST(DoctorFindings, AreNoneInAHealthyDrive) { EXPECT_EQ(testing::codes_of(of({})), std::vector<std::string>{}); }

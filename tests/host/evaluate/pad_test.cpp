@@ -18,8 +18,8 @@ struct Errors {
   bool own_truth = true;
 };
 
-/// The colours' boxes are `padded` px too wide, and the robot is configured for `configured` tenths of a px.
-Errors errors_of(double padded, std::int16_t configured) {
+/// The colours' boxes are `padded` px too wide, and the robot is configured for `configured` px.
+Errors errors_of(double padded, std::int8_t configured) {
   const LoadedScene loaded = load_scene(FENCEPOST_SOURCE_DIR "/host/share/recordings/noisy_arc.json");
   EXPECT_TRUE(loaded.ok());
   Scene scene = *loaded;
@@ -54,7 +54,7 @@ Errors errors_of(double padded, std::int16_t configured) {
 TEST(ConfiguredPad, BringsTheMapBackToThatOfBareBoxes) {
   const Errors plain = errors_of(0, 0);
   const Errors padded = errors_of(4, 0);
-  const Errors configured = errors_of(4, 40);
+  const Errors configured = errors_of(4, 4);
   RecordProperty("plain", std::to_string(plain.outline));
   RecordProperty("padded", std::to_string(padded.outline));
   RecordProperty("configured", std::to_string(configured.outline));

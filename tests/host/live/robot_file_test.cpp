@@ -56,10 +56,10 @@ TEST(RobotFile, ASceneServesToo) {
 }
 
 TEST(RobotFile, SignaturesHaveASizeAndAPad) {
-  const RobotFile robot = read(R"({"signatures": [{"id": 2, "rgb": "E0D010", "size": 0.05, "pad": 3.5}]})");
+  const RobotFile robot = read(R"({"signatures": [{"id": 2, "rgb": "E0D010", "size": 0.05, "pad": 4}]})");
   ASSERT_EQ(robot.signatures.size(), 1U);
   EXPECT_EQ(robot.signatures[0].width, 50);
-  EXPECT_EQ(robot.signatures[0].pad, 35);
+  EXPECT_EQ(robot.signatures[0].pad, 4);
 }
 
 // A signature's colour and 40 to either side, inside 16..240.

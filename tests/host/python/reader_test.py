@@ -80,9 +80,9 @@ class Lines(unittest.TestCase):
         self.assertEqual(signature.name, "a,b%")
 
     def test_a_signature_may_have_a_width_and_a_pad(self):
-        signatures, _ = feed(line("FPSIG,1,d02020,red") + line("FPSIG,1,d02020,red,0.064") + line("FPSIG,1,d02020,red,,-2.5"))
-        self.assertEqual([(one.width, one.pad) for one in signatures], [(None, 0.0), (0.064, 0.0), (None, -2.5)])
-        self.assertEqual(feed(line("FPSIG,1,d02020,red,0.064,2.5,1"))[1].rejected, {"fields": 1})
+        signatures, _ = feed(line("FPSIG,1,d02020,red") + line("FPSIG,1,d02020,red,0.064") + line("FPSIG,1,d02020,red,,-3"))
+        self.assertEqual([(one.width, one.pad) for one in signatures], [(None, 0), (0.064, 0), (None, -3)])
+        self.assertEqual(feed(line("FPSIG,1,d02020,red,0.064,2,1"))[1].rejected, {"fields": 1})
 
     def test_it_tells_why_a_line_is_bad(self):
         for bad, reason in ((b"$FPODO,1.0,0.0,0.0,0.0*0000\n", "crc"), (b"$FPODO,1.0\n", "crc"),

@@ -46,9 +46,9 @@ TEST(ToJson, WritesTheDocumentOfTheContract) {
 
 TEST(ToJson, ASignatureHasItsSizeAndItsPadWhereTheyAreKnown) {
   ResultDocument document = small_document();
-  document.signatures = {{1, {0xd0, 0x20, 0x20}, "red", 64, -25}};
+  document.signatures = {{1, {0xd0, 0x20, 0x20}, "red", -3, 64}};
   const std::string text = to_json(document);
-  EXPECT_NE(text.find(R"({"id":1,"name":"red","rgb":"d02020","size":0.064,"pad":-2.5})"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"({"id":1,"name":"red","rgb":"d02020","size":0.064,"pad":-3})"), std::string::npos) << text;
 }
 
 TEST(ToJson, GivesTheSameBytesTwice) { EXPECT_EQ(to_json(small_document()), to_json(small_document())); }

@@ -134,7 +134,7 @@ TEST(Scene, WrittenScenesReadBackTheSame) {
 }
 
 TEST(Scene, SignaturesMayHaveAPadAndABiasOfTheirOwn) {
-  std::string text = replaced(valid_scene(), R"("rgb": "2020d0")", R"("rgb": "2020d0", "pad": -2.54)");
+  std::string text = replaced(valid_scene(), R"("rgb": "2020d0")", R"("rgb": "2020d0", "pad": -3)");
   text = replaced(text, R"("edge_bias_px": 2)", R"("edge_bias_px": {"2": 3.5})");
   const LoadedScene first = parse_scene(text, "s");
   ASSERT_TRUE(first.ok()) << first.error().message();
@@ -142,7 +142,7 @@ TEST(Scene, SignaturesMayHaveAPadAndABiasOfTheirOwn) {
   ASSERT_TRUE(second.ok()) << second.error().message();
   for (const LoadedScene& scene : {first, second}) {
     EXPECT_EQ(scene->signatures[0].pad, 0);
-    EXPECT_EQ(scene->signatures[1].pad, -25);
+    EXPECT_EQ(scene->signatures[1].pad, -3);
     EXPECT_EQ(scene->noise.edge_bias_px, 0);
     EXPECT_EQ(scene->noise.edge_bias_of, (std::map<std::uint8_t, double>{{2, 3.5}}));
   }

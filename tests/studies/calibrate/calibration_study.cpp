@@ -100,7 +100,7 @@ bool run(const Request& request) {
     }
     for (const host::FoundPad& pad : outcome.calibration->pads) {
       columns[kPads].unit = "px";
-      add(columns[kPads], pad.told, pad.found, pad.sigma, options.pad, 1);
+      add(columns[kPads], pad.configured, pad.found, pad.sigma, options.pad, 1);
       if (!request.verbose) continue;
       print(fmt::format("{} pad of {} found {:.2f} +- {:.2f}\n", options.seed, pad.signature, pad.found, pad.sigma));
     }

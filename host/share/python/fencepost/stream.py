@@ -58,7 +58,7 @@ class Signature(typing.NamedTuple):
     rgb: str
     name: str
     width: typing.Optional[float] = None  # m, where configured
-    pad: float = 0.0  # px that its boxes are too wide on each side
+    pad: int = 0  # px that its boxes are too wide on each side
 
 
 class Odometry(typing.NamedTuple):
