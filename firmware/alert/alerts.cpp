@@ -33,7 +33,7 @@ AlertLevel change(AlertState& state, AlertLevel level, base::Time now) {
 
 }  // namespace
 
-bool news(AlertState& state, const record::AlertReport& report) {
+bool is_new(AlertState& state, const record::AlertReport& report) {
   const std::int32_t step = report.distance.raw - state.said_distance.raw;
   const bool moved = step >= kSaidAgain.raw || step <= -kSaidAgain.raw;
   if (report.level == state.said && !moved) return false;

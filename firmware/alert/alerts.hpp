@@ -19,7 +19,7 @@ struct AlertState {
   record::AlertLevel level = record::AlertLevel::kClear;
   bool easing = false;  ///< a lower level is due, waiting for kEaseAfter
   std::uint8_t signature = 0;
-  record::AlertLevel said = record::AlertLevel::kClear;  ///< in words, see news()
+  record::AlertLevel said = record::AlertLevel::kClear;  ///< in words, see is_new()
   base::Metres said_distance;
   base::Stamp easing_since;
   base::Stamp reported_at;
@@ -31,7 +31,7 @@ struct AlertState {
 
 /// True if a report has to be shown to a person again, and updates the state: its level has changed, or its distance by
 /// kSaidAgain. Records and outputs repeat an alert as long as it is in force; in words that would bury all others.
-bool news(AlertState& state, const record::AlertReport& report);
+bool is_new(AlertState& state, const record::AlertReport& report);
 
 /// The settings as numbers to compare with, once for all objects.
 struct AlertRules {

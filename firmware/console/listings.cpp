@@ -199,7 +199,7 @@ std::size_t write_next(const recon::ObjectCore& object, std::string_view name, c
   s.put("  from ").number(compass_degrees(static_cast<std::int32_t>(bearing * kMicro))).put(" deg, ");
   s.number(static_cast<std::int64_t>(next.width * kDegrees + 0.5F)).put(" deg wide, as from x ");
   s.metres(metres(place.x)).put(" m, y ").metres(metres(place.y)).put(" m; may change ");
-  return s.number(static_cast<std::int64_t>(next.news * kHundred + 0.5F)).put(" % of it").end();
+  return s.number(static_cast<std::int64_t>(next.gain * kHundred + 0.5F)).put(" % of it").end();
 }
 
 }  // namespace fencepost::console

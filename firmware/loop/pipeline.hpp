@@ -438,8 +438,8 @@ class Pipeline {
     unsigned known = 0;
     for (const recon::ObjectCore& object : m_.map.slots()) known += object.used() && object.confirmed ? 1U : 0U;
     console::DriveGuide& guide = m_.console.guide;
-    const bool news = guide.look(frame, m_.calibration.models[frame.camera], pose, known);
-    if (!news || m_.console.answer.pending()) return;
+    const bool changed = guide.look(frame, m_.calibration.models[frame.camera], pose, known);
+    if (!changed || m_.console.answer.pending()) return;
     guide.say();
     m_.console.answer = {console::Reply::kCalibrate};
   }

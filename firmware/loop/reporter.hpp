@@ -92,11 +92,11 @@ class Reporter {
   void alert(const record::AlertReport& report) {
     emit(report, [&](std::span<char> room) { return console::describe(report, name_of(report.signature), room); });
   }
-  /// A report that may repeat an earlier one: in words it is said only if news() says so.
+  /// A report that may repeat an earlier one: in words it is said only if is_new() says so.
   void alert(const record::AlertReport& report, alert::AlertState& state) {
     const bool in_words = m_.console.alerts && shown_in(console::Mode::kText);
     if (!in_words) state.said = record::AlertLevel::kClear;  // a reader from now on gets all alerts
-    if (!in_words || news(state, report)) return alert(report);
+    if (!in_words || is_new(state, report)) return alert(report);
     journal_or_drop(report);
   }
 

@@ -8,9 +8,9 @@ namespace fencepost::linux {
 namespace {
 
 Opened<UsbWorkerOwner> start(const UsbSettings& settings) {
-  Opened<SignalFlag> news = SignalFlag::open();
-  if (!news) return Problem{news.problem()};
-  UsbWorkerOwner worker(new UsbWorker(settings, std::move(*news)));
+  Opened<SignalFlag> flag = SignalFlag::open();
+  if (!flag) return Problem{flag.problem()};
+  UsbWorkerOwner worker(new UsbWorker(settings, std::move(*flag)));
   if (!worker->first_try()) return Problem{worker->problem()};
   return worker;
 }

@@ -28,7 +28,7 @@ std::array<bool, kCalibrated> hold(const std::array<bool, kCalibrated>& held, So
                                    StartedProblem& started) {
   for (std::size_t i = 0; i < kCameraParameters; ++i) {
     options.hold_camera[i] = held[i];
-    if (held[i]) started.estimate.camera[i] = started.problem.told[i];
+    if (held[i]) started.estimate.camera[i] = started.problem.configured[i];
   }
   for (std::size_t i = 0; i < kWheelParameters; ++i) {
     options.hold_wheels[i] = held[kCameraParameters + i];
@@ -47,7 +47,7 @@ void free_lens(StartedProblem& started, SolverOptions& options, std::optional<Ca
   if (solve(freed.problem, free, freed.estimate)) return;
   const std::optional<CalibratedMatrix> variances = covariance_at(freed.problem, free, freed.estimate);
   if (!variances) return;
-  const double off = freed.estimate.camera[kK1] - freed.problem.told[kK1];
+  const double off = freed.estimate.camera[kK1] - freed.problem.configured[kK1];
   if (std::abs(off) < kSure * std::sqrt((*variances)[kK1][kK1])) return;
   freed.problem.noise = noise_of(residuals_at(freed.problem, freed.estimate));
   if (solve(freed.problem, free, freed.estimate)) return;
@@ -83,15 +83,15 @@ void add_objects(const StartedProblem& started, const std::vector<SightingResidu
 }
 
 /// The sightings' residuals with poses and calibration as configured, each object where it fits best.
-std::vector<SightingResidual> as_told(const StartedProblem& started, Estimate told) {
-  told.objects = started.estimate.objects;
+std::vector<SightingResidual> as_configured(const StartedProblem& started, Estimate configured) {
+  configured.objects = started.estimate.objects;
   CalibrationProblem problem = started.problem;
-  problem.noise = noise_of(residuals_at(problem, told));
-  static_cast<void>(solve(problem, only_objects(), told));
-  return residuals_at(problem, told);
+  problem.noise = noise_of(residuals_at(problem, configured));
+  static_cast<void>(solve(problem, only_objects(), configured));
+  return residuals_at(problem, configured);
 }
 
-Calibration conclude(const DriveLog& log, const StartedProblem& started, const Estimate& told,
+Calibration conclude(const DriveLog& log, const StartedProblem& started, const Estimate& configured,
                      const SolverOptions& options, const CalibratedMatrix& matrix,
                      const std::array<bool, kCalibrated>& held) {
   const CalibrationProblem& problem = started.problem;
@@ -101,17 +101,17 @@ Calibration conclude(const DriveLog& log, const StartedProblem& started, const E
   calibration.driven = problem.odometry.driven();
   calibration.turned = problem.odometry.turned();
   calibration.findings = findings_of(problem, started.estimate, matrix, held);
-  calibration.told = log.camera;
+  calibration.configured = log.camera;
   calibration.found = calibrated(log.camera, started.estimate, held);
   calibration.pads = pads_of(started, options, matrix, log.signatures);
   calibration.signatures = with_pads(log.signatures, calibration.pads);
   const WheelValues& wheels = started.estimate.wheels;
   calibration.wheels = {wheels[kStep], wheels[kTurn], wheels[kCurve]};
-  const std::vector<SightingResidual> before = as_told(started, told);
+  const std::vector<SightingResidual> before = as_configured(started, configured);
   const std::vector<SightingResidual> after = residuals_at(problem, started.estimate);
   calibration.before = summarise_residuals(problem, before, problem.optics.fx);
   calibration.after = summarise_residuals(problem, after, calibration.found.fx.to_double());
-  calibration.way_before = way_of(told);
+  calibration.way_before = way_of(configured);
   calibration.way_after = way_of(started.estimate);
   add_objects(started, before, after, calibration);
   if (log.camera_changed) {
@@ -166,7 +166,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   }
   if (const auto failed = solve(started.problem, only_objects(), started.estimate)) return refuse(no_fit(*failed));
   step_done();
-  const Estimate told = started.estimate;
+  const Estimate configured = started.estimate;
   SolverOptions all = possible(started.problem);
   all.hold_camera[kK1] = true;
   if (const auto failed = fit(started, all, step_done)) return refuse(no_fit(*failed));
@@ -180,7 +180,7 @@ CalibrateOutcome calibrate(std::string_view bytes, const std::string& name, cons
   SolverOptions observed = all;
   const auto held = hold(to_be_held(started.problem, all, *matrix), observed, started);
   if (const auto failed = solve(started.problem, observed, started.estimate)) return refuse(no_fit(*failed));
-  outcome.calibration = conclude(log, started, told, observed, *matrix, held);
+  outcome.calibration = conclude(log, started, configured, observed, *matrix, held);
   const auto& findings = outcome.calibration->findings;
   if (std::ranges::none_of(findings, [](const Finding& f) { return f.essential && f.observed; })) {
     outcome.calibration.reset();

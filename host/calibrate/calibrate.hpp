@@ -41,7 +41,7 @@ struct Finding {
   std::string_view key;    ///< in JSON, such as "focal_length"
   std::string_view label;  ///< in text
   std::string_view unit;   ///< of the three, as shown: px, deg, ms, mm, %
-  double told = 0;
+  double configured = 0;
   double found = 0;  ///< where held, the configured value
   double sigma = 0;  ///< standard deviation
   int decimals = 2;
@@ -84,7 +84,7 @@ struct Calibration {
   std::vector<Finding> findings;
   Residuals before;
   Residuals after;
-  sensor::CameraIntrinsics told;
+  sensor::CameraIntrinsics configured;
   sensor::CameraIntrinsics found;
   std::vector<record::Signature> signatures;  ///< with the pads that were found
   std::vector<FoundPad> pads;                 ///< that the log is sure of

@@ -105,7 +105,7 @@ std::string residual_panel(const Calibration& calibration, bool after) {
   const double middle = 2 * kGap + kSide + kPlot / 2;
   // One scale for both: that is the comparison.
   const double most = std::max(3 * calibration.before.columns_px, 1.0);
-  const double width = calibration.told.width;
+  const double width = calibration.configured.width;
   std::string out = fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
                                 px(left), px(middle - kPlot / 2), px(kSide), px(kPlot));
   out += fmt::format("<path stroke=\"#888\" d=\"M{},{}h{}\"/>\n", px(left), px(middle), px(kSide));

@@ -22,8 +22,8 @@ std::string number(double value, int decimals) { return fmt::format("{:.{}f}", v
 std::string row_of(const Finding& finding) {
   const std::string found = finding.held ? "not found" : number(finding.found, finding.decimals);
   const std::string sigma = finding.held ? "" : number(finding.sigma, finding.decimals);
-  return fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told, finding.decimals), found,
-                     sigma, finding.unit);
+  return fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.configured, finding.decimals),
+                     found, sigma, finding.unit);
 }
 
 std::string row_of(const FoundPad& pad, const std::vector<record::Signature>& signatures) {
@@ -113,7 +113,7 @@ std::string calibration_json(const Calibration& calibration) {
   for (const Finding& finding : calibration.findings) {
     nlohmann::ordered_json entry = {{"unit", finding.unit},
                                     {"observed", finding.observed},
-                                    {"configured", rounded(finding.told, kDecimals)},
+                                    {"configured", rounded(finding.configured, kDecimals)},
                                     {"found", nullptr},
                                     {"sigma", nullptr},
                                     {"motion", nullptr}};

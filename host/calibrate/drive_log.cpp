@@ -14,7 +14,7 @@ namespace {
 struct DriveSink {
   const ReplayOptions& options;
   DriveLog log{};
-  bool told = false;
+  bool configured = false;
   double now = -1;           ///< s, of the last frame
   double camera_since = -1;  ///< frames up to then were of another calibration
   config::Settings settings{};
@@ -24,17 +24,17 @@ struct DriveSink {
   void accept(const record::Header&) {
     log = DriveLog{};
     begin_odometry();
-    told = false;
+    configured = false;
     now = camera_since = -1;
     if (options.camera) accept(*options.camera);
   }
   void accept(const sensor::CameraIntrinsics& camera) {
-    if (told && !(camera == log.camera) && now >= 0) {
+    if (configured && !(camera == log.camera) && now >= 0) {
       log.camera_changed = true;
       camera_since = now;
     }
     log.camera = camera;
-    told = true;
+    configured = true;
   }
   void accept(const record::Signature& signature) {
     const auto known = std::ranges::find(log.signatures, signature.signature, &record::Signature::signature);

@@ -64,7 +64,7 @@ double sigma_of(const CalibrationProblem& problem, const CalibratedMatrix& matri
   return variance > 0 ? std::sqrt(variance) : prior_of(problem, index);
 }
 
-bool is_told(const CalibrationProblem& problem, const CalibratedMatrix& matrix, const Row& row) {
+bool is_observed(const CalibrationProblem& problem, const CalibratedMatrix& matrix, const Row& row) {
   const double sigma = sigma_of(problem, matrix, row.index);
   return sigma <= row.most && sigma <= kMostlyPrior * prior_of(problem, row.index);
 }
@@ -82,7 +82,7 @@ std::array<bool, kCalibrated> to_be_held(const CalibrationProblem& problem, cons
                                          const CalibratedMatrix& matrix) {
   std::array<bool, kCalibrated> held{};
   for (const Row& row : kRows) {
-    held[row.index] = is_held(impossible, row.index) || (row.essential && !is_told(problem, matrix, row));
+    held[row.index] = is_held(impossible, row.index) || (row.essential && !is_observed(problem, matrix, row));
   }
   return held;
 }
@@ -96,19 +96,19 @@ std::vector<Finding> findings_of(const CalibrationProblem& problem, const Estima
     finding.label = row.label;
     finding.unit = row.unit;
     const bool of_camera = row.index < kCameraParameters;
-    const double told = of_camera ? problem.told[row.index] : 0;
+    const double configured = of_camera ? problem.configured[row.index] : 0;
     const double found = of_camera ? estimate.camera[row.index] : estimate.wheels[row.index - kCameraParameters];
     finding.sigma = sigma_of(problem, matrix, row.index) * row.scale;
-    finding.told = told * row.scale;
-    finding.found = (held[row.index] ? told : found) * row.scale;
+    finding.configured = configured * row.scale;
+    finding.found = (held[row.index] ? configured : found) * row.scale;
     if (row.index == kFocal) {
-      finding.told = problem.optics.fx;
+      finding.configured = problem.optics.fx;
       finding.found = problem.optics.fx * std::exp(held[row.index] ? 0 : found);
       finding.sigma *= finding.found;
     }
     finding.decimals = row.decimals;
     finding.held = held[row.index];
-    finding.observed = !finding.held && is_told(problem, matrix, row);
+    finding.observed = !finding.held && is_observed(problem, matrix, row);
     finding.essential = row.essential && (problem.rows || row.index != kPitch);
     finding.motion = row.motion;
     if (!problem.rows && (row.index == kPitch || row.index == kHeight)) {
@@ -119,14 +119,14 @@ std::vector<Finding> findings_of(const CalibrationProblem& problem, const Estima
   return findings;
 }
 
-sensor::CameraIntrinsics calibrated(const sensor::CameraIntrinsics& told, const Estimate& estimate,
+sensor::CameraIntrinsics calibrated(const sensor::CameraIntrinsics& configured, const Estimate& estimate,
                                     const std::array<bool, kCalibrated>& held) {
   constexpr double kLongest = 32'767;  // px, as the record has it
-  sensor::CameraIntrinsics found = told;
+  sensor::CameraIntrinsics found = configured;
   const CameraValues& values = estimate.camera;
   if (!held[kFocal]) {
-    found.fx = within<base::Pixels2>(told.fx.to_double() * std::exp(values[kFocal]), 1, kLongest);
-    found.fy = within<base::Pixels2>(told.fy.to_double() * std::exp(values[kFocal]), 1, kLongest);
+    found.fx = within<base::Pixels2>(configured.fx.to_double() * std::exp(values[kFocal]), 1, kLongest);
+    found.fy = within<base::Pixels2>(configured.fy.to_double() * std::exp(values[kFocal]), 1, kLongest);
   }
   if (!held[kYaw]) found.mount.yaw = within<base::Radians>(values[kYaw], -7, 7);
   if (!held[kPitch]) found.mount.pitch = within<base::Radians>(values[kPitch], -0.7, 0.7);

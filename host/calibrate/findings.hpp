@@ -23,7 +23,7 @@ std::vector<Finding> findings_of(const CalibrationProblem& problem, const Estima
                                  const CalibratedMatrix& matrix, const std::array<bool, kCalibrated>& held);
 
 /// The configured calibration with what was found, within the record's ranges.
-sensor::CameraIntrinsics calibrated(const sensor::CameraIntrinsics& told, const Estimate& estimate,
+sensor::CameraIntrinsics calibrated(const sensor::CameraIntrinsics& configured, const Estimate& estimate,
                                     const std::array<bool, kCalibrated>& held);
 
 }  // namespace fencepost::host

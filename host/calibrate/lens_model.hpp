@@ -18,7 +18,7 @@ double value_of(const Number& number) {
 
 /// Rows and columns over the focal length, of a pinhole -> of the lens: the factor for both.
 template <class T>
-T distortion(const ToldOptics& optics, const T& k1, const T& across, const T& down) {
+T distortion(const ConfiguredOptics& optics, const T& k1, const T& across, const T& down) {
   using std::atan;
   using std::sqrt;
   const T square = across * across + down * down;
@@ -34,7 +34,7 @@ T distortion(const ToldOptics& optics, const T& k1, const T& across, const T& do
 /// down from it, both over the focal length. An equidistant lens counts angles beyond 80 degrees as 80, as on the
 /// robot.
 template <class T>
-T undistorted_column(const ToldOptics& optics, const T& k1, const T& distorted, const T& row) {
+T undistorted_column(const ConfiguredOptics& optics, const T& k1, const T& distorted, const T& row) {
   using std::sqrt;
   using std::tan;
   if (!optics.equidistant) {
@@ -60,7 +60,7 @@ T undistorted_column(const ToldOptics& optics, const T& k1, const T& distorted, 
 /// The row in which a box's edge at column `seen` lies; of a pinhole the middle row. In a fisheye an outer edge reaches
 /// farthest at the row nearest to the horizon, an inner one at the row farthest from it. `lowered`: px that the horizon
 /// lies above the principal point.
-inline double row_of_edge(const ToldOptics& optics, double lowered, const Sighting& sighting, double seen,
+inline double row_of_edge(const ConfiguredOptics& optics, double lowered, const Sighting& sighting, double seen,
                           double sign) {
   if (!optics.equidistant) return 0.5 * (sighting.row_low + sighting.row_high);
   const double horizon = optics.cy - lowered;
@@ -76,7 +76,7 @@ struct GroundRay {
   double left;
   double down;
 };
-inline GroundRay ground_ray(const ToldOptics& optics, const CameraValues& camera, double column, double row) {
+inline GroundRay ground_ray(const ConfiguredOptics& optics, const CameraValues& camera, double column, double row) {
   const double scale = std::exp(camera[kFocal]);
   const double u = (optics.cx - column) / (optics.fx * scale);
   const double v = (row - optics.cy) / (optics.fy * scale);

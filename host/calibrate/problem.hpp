@@ -12,7 +12,7 @@
 namespace fencepost::host {
 
 /// The camera's configured constants, which are not estimated: principal point, pixels' shape, image size.
-struct ToldOptics {
+struct ConfiguredOptics {
   double fx = 1;  ///< px
   double fy = 1;
   double cx = 0;
@@ -60,7 +60,7 @@ struct KnownDistance {
 };
 
 struct CalibrationProblem {
-  ToldOptics optics;
+  ConfiguredOptics optics;
   bool rows = true;  ///< height and pitch are in play: feet and tops count
   OdometryTrack odometry;
   std::vector<double> node_times;
@@ -69,7 +69,7 @@ struct CalibrationProblem {
   std::vector<std::size_t> kinds{};  ///< of each object, index into Estimate::kinds
   std::vector<KnownSize> sizes{};
   std::vector<KnownDistance> distances{};
-  CameraValues told{};          ///< the prior's middle
+  CameraValues configured{};    ///< the prior's middle
   CameraValues camera_sigma{};  ///< how far off it may be
   WheelValues wheel_sigma{};
   ImageNoise noise{};

@@ -85,7 +85,7 @@ void join_same(StartedProblem& started) {
 void drop_at_border(StartedProblem& started) {
   constexpr double kMargin = 4.5;  // px: the border rule's 1.5, and three sigmas of a low noise
   const std::vector<SightingResidual> residuals = residuals_at(started.problem, started.estimate);
-  const ToldOptics& optics = started.problem.optics;
+  const ConfiguredOptics& optics = started.problem.optics;
   const auto outside = [&](std::optional<double>& end, const std::optional<double>& residual, double size) {
     if (!end || !residual) return;
     const double predicted = *end + *residual;

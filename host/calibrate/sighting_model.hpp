@@ -86,7 +86,7 @@ struct View {
 };
 
 template <class T>
-View<T> view_of(const ToldOptics& optics, const T* camera, const Pose<T>& robot) {
+View<T> view_of(const ConfiguredOptics& optics, const T* camera, const Pose<T>& robot) {
   using std::cos;
   using std::exp;
   using std::sin;
@@ -154,8 +154,8 @@ T not_behind(const T& depth) {
 /// The column of one edge of an object. `seen` is the measured one: the tangent is looked for beside it.
 /// `sign`: +1 the left edge, -1 the right one.
 template <class T>
-T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, const Sighting& sighting,
-              double seen, double sign) {
+T edge_column(const ConfiguredOptics& optics, const T* camera, const View<T>& view, const T* object,
+              const Sighting& sighting, double seen, double sign) {
   const double row = row_of_edge(optics, value_of(view.fy) * value_of(camera[kPitch]), sighting, seen, sign);
   const T across =
       undistorted_column<T>(optics, camera[kK1], (optics.cx - seen) / view.fx, (row - optics.cy) / view.fy);
@@ -204,7 +204,8 @@ T edge_column(const ToldOptics& optics, const T* camera, const View<T>& view, co
 
 /// The row of a point on the floor plan that lies `drop` below the lens.
 template <class T>
-T row_of_point(const ToldOptics& optics, const T* camera, const View<T>& view, const T& x, const T& y, const T& drop) {
+T row_of_point(const ConfiguredOptics& optics, const T* camera, const View<T>& view, const T& x, const T& y,
+               const T& drop) {
   const T dx = x - view.x;
   const T dy = y - view.y;
   const T depth = not_behind<T>(dx * view.ahead_x + dy * view.ahead_y);
@@ -218,7 +219,7 @@ struct RimNormal {
   double x;
   double y;
 };
-inline RimNormal extreme_of_rim(const ToldOptics& optics, const CameraValues& camera, const View<double>& view,
+inline RimNormal extreme_of_rim(const ConfiguredOptics& optics, const CameraValues& camera, const View<double>& view,
                                 const ObjectValues& object, double drop, double sign) {
   double x = object[kCentreX];
   double y = object[kCentreY];
@@ -244,7 +245,8 @@ inline RimNormal extreme_of_rim(const ToldOptics& optics, const CameraValues& ca
 /// The lowest (`sign` +1) or the highest (-1) row of the object's rim at a level `drop` below the lens. Through a lens
 /// that bends it is not that of the point nearest along the axis.
 template <class T>
-T rim_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, const T& drop, double sign) {
+T rim_row(const ConfiguredOptics& optics, const T* camera, const View<T>& view, const T* object, const T& drop,
+          double sign) {
   CameraValues camera_values{};
   ObjectValues values{};
   for (std::size_t i = 0; i < kCameraParameters; ++i) camera_values[i] = value_of(camera[i]);
@@ -263,7 +265,7 @@ T rim_row(const ToldOptics& optics, const T* camera, const View<T>& view, const 
 }
 
 template <class T>
-T row_in_image(const ToldOptics& optics, const T* camera, const View<T>& view, double column, const T& depth,
+T row_in_image(const ConfiguredOptics& optics, const T* camera, const View<T>& view, double column, const T& depth,
                const T& drop) {
   const T down = row_of(view, not_behind(depth), drop);
   const T across = (optics.cx - column) / view.fx;
@@ -277,20 +279,20 @@ T nearest_depth(const View<T>& view, const T* object) {
 
 /// Straight lines of the floor are bows in the image.
 template <class T>
-bool bends(const ToldOptics& optics, const T* camera) {
+bool bends(const ConfiguredOptics& optics, const T* camera) {
   return optics.equidistant || value_of(camera[kK1]) != 0;
 }
 
 /// The row of the foot: of the footprint's nearest point.
 template <class T>
-T foot_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
+T foot_row(const ConfiguredOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
   if (bends(optics, camera)) return rim_row<T>(optics, camera, view, object, camera[kHeight], 1);
   return row_in_image<T>(optics, camera, view, column, nearest_depth(view, object), camera[kHeight]);
 }
 
 /// The row of the top: of its far rim where the lens looks down on it, else of its near one.
 template <class T>
-T top_row(const ToldOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
+T top_row(const ConfiguredOptics& optics, const T* camera, const View<T>& view, const T* object, double column) {
   const T drop = camera[kHeight] - object[kTop];
   if (bends(optics, camera)) return rim_row<T>(optics, camera, view, object, drop, -1);
   if (value_of(drop) < 0) return row_in_image<T>(optics, camera, view, column, nearest_depth(view, object), drop);

@@ -233,7 +233,7 @@ class Build {
 
   void add_priors() {
     ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kCameraParameters>, kCamera, kCamera>(
-                                new Prior<kCameraParameters>{problem_.told, problem_.camera_sigma}),
+                                new Prior<kCameraParameters>{problem_.configured, problem_.camera_sigma}),
                             nullptr, estimate_.camera.data());
     ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<Prior<kWheelParameters>, kWheels, kWheels>(
                                 new Prior<kWheelParameters>{WheelValues{}, problem_.wheel_sigma}),

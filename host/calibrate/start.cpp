@@ -186,17 +186,17 @@ PoseValues node_at(const OdometryTrack& odometry, const std::vector<PoseResult>&
 void start_estimate(const DriveLog& log, const std::vector<PoseResult>& path, StartedProblem& started) {
   const sensor::CameraMount& mount = log.camera.mount;
   CalibrationProblem& problem = started.problem;
-  problem.told = {0,
-                  mount.yaw.to_double(),
-                  mount.pitch ? mount.pitch->to_double() : 0,
-                  log.camera.latency.to_double(),
-                  mount.z.to_double(),
-                  mount.x.to_double(),
-                  mount.y.to_double(),
-                  log.camera.k1.to_double()};
+  problem.configured = {0,
+                        mount.yaw.to_double(),
+                        mount.pitch ? mount.pitch->to_double() : 0,
+                        log.camera.latency.to_double(),
+                        mount.z.to_double(),
+                        mount.x.to_double(),
+                        mount.y.to_double(),
+                        log.camera.k1.to_double()};
   problem.camera_sigma = kCameraSigma;
   problem.wheel_sigma = kWheelSigma;
-  started.estimate.camera = problem.told;
+  started.estimate.camera = problem.configured;
   for (const double t : problem.node_times) {
     PoseValues node = node_at(problem.odometry, path, t);
     if (!started.estimate.nodes.empty()) {
@@ -213,7 +213,7 @@ void start_estimate(const DriveLog& log, const std::vector<PoseResult>& path, St
   problem.noise = {degree, degree, degree, degree, degree};
 }
 
-ToldOptics optics_of(const sensor::CameraIntrinsics& camera) {
+ConfiguredOptics optics_of(const sensor::CameraIntrinsics& camera) {
   return {camera.fx.to_double(),
           camera.fy.to_double(),
           camera.cx.to_double(),

@@ -75,8 +75,8 @@ Exit run(const Request& request) {
   if (!configured.ok()) throw Failure(failed, input_name(request.image) + ": " + configured.error());
   write_output(request.output, write_image(configured->memory, format_of(request, *configured)));
   say(fmt::format("{}, version {}: {} lines in {} of {} bytes", configured->board, configured->version,
-                  configured->told.size(), configured->used, configured->room));
-  for (const std::string& line : configured->told) say("  " + line);
+                  configured->configured.size(), configured->used, configured->room));
+  for (const std::string& line : configured->configured) say("  " + line);
   return Exit::kDone;
 }
 

@@ -167,18 +167,19 @@ class Robot {
   [[nodiscard]] const Board& board() const { return board_; }
 
   /// As the robot itself would keep them.
-  [[nodiscard]] std::vector<record::Setting> told() const {
-    std::vector<record::Setting> told;
+  [[nodiscard]] std::vector<record::Setting> configured() const {
+    std::vector<record::Setting> configured;
     for (std::size_t i = 0; i < config::kDeviceKeys; ++i) {
       const auto key = static_cast<DeviceKey>(i);
-      if (devices_.raw(key) != program_.limits.initial.raw(key)) told.push_back({info(key).name, devices_.text(key)});
+      if (devices_.raw(key) != program_.limits.initial.raw(key))
+        configured.push_back({info(key).name, devices_.text(key)});
     }
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
       if (settings_.raw(key) != config::info(key).initial)
-        told.push_back({config::info(key).name, settings_.text(key)});
+        configured.push_back({config::info(key).name, settings_.text(key)});
     }
-    return told;
+    return configured;
   }
 
  private:
@@ -287,7 +288,7 @@ sensor::CameraIntrinsics calibration_of(const Robot& robot, const ConfigureReque
 
 std::vector<std::string> lines_of(const Robot& robot, const ConfigureRequest& request) {
   std::vector<std::string> lines;
-  for (const record::Setting& setting : robot.told()) lines.push_back(line_of(setting));
+  for (const record::Setting& setting : robot.configured()) lines.push_back(line_of(setting));
   const sensor::CameraIntrinsics camera = calibration_of(robot, request);
   if (camera.width > 0 && camera != robot.delivered()) lines.push_back(line_of(camera));
   if (request.robot.signatures.size() > robot.program().signatures) {
@@ -303,7 +304,7 @@ void put_settings(ConfiguredImage& image, const Board& board) {
   config::SettingsStore store(pages);
   store.load([](std::string_view) {});
   const bool fits = store.rewrite([&](auto&& put) {
-    for (const std::string& line : image.told) put(line);
+    for (const std::string& line : image.configured) put(line);
   });
   image.room = board.page;
   image.used = board.page - store.room();
@@ -365,7 +366,7 @@ ConfiguredImage configured(ImageMemory image, const ConfigureRequest& request) {
   if (!result.cartridge) result.memory = std::move(image);
   result.board = board.name;
   result.version = robot.program().version;
-  result.told = lines_of(robot, request);
+  result.configured = lines_of(robot, request);
   put_settings(result, board);
   if (result.cartridge) {  // 32 KB, as such a memory has
     constexpr std::uint32_t kCartridge = 32 * 1024;

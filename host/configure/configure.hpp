@@ -30,8 +30,8 @@ struct ConfiguredImage {
   bool dfu = false;        ///< likewise
   std::string board;
   std::string version;
-  std::vector<std::string> told;  ///< the lines, without their ends
-  std::size_t used = 0;           ///< bytes
+  std::vector<std::string> configured;  ///< the lines, without their ends
+  std::size_t used = 0;                 ///< bytes
   std::size_t room = 0;
 };
 

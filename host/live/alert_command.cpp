@@ -136,9 +136,9 @@ void AlertCommand::end(base::Time /*now*/) {
   changed_.wait(lock, [this] { return !due_ && !busy_; });
 }
 
-std::vector<std::string> AlertCommand::news() {
+std::vector<std::string> AlertCommand::messages() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(news_, {});
+  return std::exchange(messages_, {});
 }
 
 void AlertCommand::push(const AlertNow& alert) {
@@ -169,7 +169,7 @@ void AlertCommand::work() {
 // Said again only when something else was the matter meanwhile.
 void AlertCommand::note(const std::string& fault, record::AlertLevel level) {
   if (!fault.empty() && fault != last_fault_) {
-    news_.push_back(fmt::format("--on-alert: the command for level {} {}", name(level), fault));
+    messages_.push_back(fmt::format("--on-alert: the command for level {} {}", name(level), fault));
   }
   last_fault_ = fault;
 }

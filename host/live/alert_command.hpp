@@ -37,7 +37,7 @@ class AlertCommand final : public AlertOutput {
   /// Runs it with level blind, unless its last level is stop or blind. Returns when no command is running or waiting,
   /// at the latest after twice `longest` and the grace after a kill.
   void end(base::Time now) override;
-  std::vector<std::string> news() override;
+  std::vector<std::string> messages() override;
 
  private:
   void push(const AlertNow& alert);
@@ -59,7 +59,7 @@ class AlertCommand final : public AlertOutput {
   bool busy_ = false;
   bool stop_ = false;
   std::string last_fault_;
-  std::vector<std::string> news_;
+  std::vector<std::string> messages_;
   std::thread thread_;  ///< last, so that it starts when the others are there
 };
 

@@ -51,7 +51,7 @@ class AlertOutput {
   /// The run is over: what moves has to stop. May take a few seconds.
   virtual void end(base::Time now) = 0;
   /// Its messages, a sentence each; asked once a turn.
-  virtual std::vector<std::string> news() { return {}; }
+  virtual std::vector<std::string> messages() { return {}; }
 };
 
 /// Maximum interval at which an output repeats the state in force.

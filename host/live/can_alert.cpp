@@ -121,8 +121,8 @@ void CanAlert::show(const AlertNow& alert, base::Time now) {
   if (sent_ == key_of(alert) && now - sent_at_ < kShowInterval) return;
   send(alert, now);
   const std::string problem = sink_->problem();
-  if (!problem.empty() && said_.empty()) news_.push_back(problem + "; the run goes on");
-  if (problem.empty() && !said_.empty()) news_.push_back("the alert is sent on " + spec_.interface + " again");
+  if (!problem.empty() && said_.empty()) messages_.push_back(problem + "; the run goes on");
+  if (problem.empty() && !said_.empty()) messages_.push_back("the alert is sent on " + spec_.interface + " again");
   said_ = problem;
 }
 
@@ -137,6 +137,6 @@ bool CanAlert::send(const AlertNow& alert, base::Time now) {
 
 void CanAlert::end(base::Time now) { send({}, now); }
 
-std::vector<std::string> CanAlert::news() { return std::exchange(news_, {}); }
+std::vector<std::string> CanAlert::messages() { return std::exchange(messages_, {}); }
 
 }  // namespace fencepost::host

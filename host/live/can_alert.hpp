@@ -52,7 +52,7 @@ class CanAlert final : public AlertOutput {
   void show(const AlertNow& alert, base::Time now) override;
   /// A last frame: blind, and not to move.
   void end(base::Time now) override;
-  std::vector<std::string> news() override;
+  std::vector<std::string> messages() override;
 
  private:
   /// Fields that a receiver acts upon at once: a change is sent without delay.
@@ -73,7 +73,7 @@ class CanAlert final : public AlertOutput {
   std::optional<Key> sent_;
   base::Time sent_at_;
   std::string said_;
-  std::vector<std::string> news_;
+  std::vector<std::string> messages_;
 };
 
 }  // namespace fencepost::host

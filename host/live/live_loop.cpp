@@ -104,7 +104,7 @@ class ProfileLoop final : public LiveLoop {
     if (taken) memory_->output.taken(*taken);
   }
 
-  [[nodiscard]] const std::vector<std::string>& link_news() const override { return link_news_; }
+  [[nodiscard]] const std::vector<std::string>& link_messages() const override { return link_messages_; }
   [[nodiscard]] bool output_waits() const override { return !memory_->output.waiting().empty(); }
   [[nodiscard]] std::span<const char> journal() const override { return memory_->journal.waiting(); }
   void journal_taken(std::size_t size) override { memory_->journal.taken(size); }
@@ -141,13 +141,13 @@ class ProfileLoop final : public LiveLoop {
 
   void step_and_watch(base::Time now) {
     loop_.step(now - shift_);
-    link_news_.clear();
-    note_news(camera_device_, memory_->links.camera, camera_known_, true);
-    note_news(odometry_device_, memory_->links.odometry, odometry_known_, loop_.odometry().in_range());
+    link_messages_.clear();
+    note_change(camera_device_, memory_->links.camera, camera_known_, true);
+    note_change(odometry_device_, memory_->links.odometry, odometry_known_, loop_.odometry().in_range());
   }
   // A new run logs the present link states again; those are no changes.
-  void note_news(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known,
-                 bool in_range) {
+  void note_change(const Device& device, const loop::LinkWatch& watch, std::optional<sensor::LinkState>& known,
+                   bool in_range) {
     if (!device.cabled() || !watch.last_sent() || watch.last_sent() == known) return;
     known = watch.last_sent();
     const sensor::LinkState state = *known;
@@ -155,12 +155,12 @@ class ProfileLoop final : public LiveLoop {
     if (!in_range && state == sensor::LinkState::kUnready) loop::explain_range(words);
     std::array<char, record::kMaxLine> line{};
     const std::size_t size = console::describe_link(state, words.name, words.remedy, line);
-    if (size > 2) link_news_.emplace_back(line.data(), size - 2);
+    if (size > 2) link_messages_.emplace_back(line.data(), size - 2);
   }
 
   std::unique_ptr<loop::Memory<Profile>> memory_ = std::make_unique<loop::Memory<Profile>>();
   record::Header header_;
-  std::vector<std::string> link_news_;
+  std::vector<std::string> link_messages_;
   std::optional<sensor::LinkState> camera_known_;
   std::optional<sensor::LinkState> odometry_known_;
   CameraDevice& camera_device_;

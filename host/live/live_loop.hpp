@@ -34,7 +34,7 @@ class LiveLoop {
   virtual void flush() = 0;
 
   /// The messages about links of the last iteration, a sentence each, whatever the console shows.
-  [[nodiscard]] virtual const std::vector<std::string>& link_news() const = 0;
+  [[nodiscard]] virtual const std::vector<std::string>& link_messages() const = 0;
   /// Something waits for room on the console.
   [[nodiscard]] virtual bool output_waits() const = 0;
   /// Whole lines of the log, in order; the caller takes all of them.

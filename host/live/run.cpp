@@ -66,7 +66,7 @@ class Run {
     const bool more = loop_->step(now);
     const auto took = std::chrono::steady_clock::now() - before;
     loop_->note_turn(static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(took).count()));
-    say_link_news();
+    say_link_messages();
     follow_alerts();
     parts_.devices.camera->console_gave(loop_->frames_logged());
     parts_.devices.odometry->console_gave(loop_->counters().odometry);
@@ -75,8 +75,8 @@ class Run {
     return more;
   }
 
-  void say_link_news() {
-    for (const std::string& sentence : loop_->link_news()) parts_.say(sentence);
+  void say_link_messages() {
+    for (const std::string& sentence : loop_->link_messages()) parts_.say(sentence);
   }
 
   void write_log(base::Time now) {
@@ -108,16 +108,16 @@ class Run {
     if (parts_.outputs.empty()) return;
     alerts_.complete(alert);
     for (AlertOutput* output : parts_.outputs) output->show(alert, now);
-    say_output_news();
+    say_output_messages();
   }
   void end_outputs() {
     parts_.devices.odometry->stand(parts_.clock.now());
     for (AlertOutput* output : parts_.outputs) output->end(parts_.clock.now());
-    say_output_news();
+    say_output_messages();
   }
-  void say_output_news() {
+  void say_output_messages() {
     for (AlertOutput* output : parts_.outputs) {
-      for (const std::string& sentence : output->news()) parts_.say(sentence);
+      for (const std::string& sentence : output->messages()) parts_.say(sentence);
     }
   }
 

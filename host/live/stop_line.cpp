@@ -138,7 +138,7 @@ void StopLine::note(int error) {
   if (std::exchange(said_, error) == error) return;
   const bool gone = error == EPIPE || error == ECONNRESET;
   const std::string what = gone ? "the process that has it was ended; start the run again" : std::strerror(error);
-  news_.push_back(fmt::format("the STOP line {} does not follow any more: {}", name_, what));
+  messages_.push_back(fmt::format("the STOP line {} does not follow any more: {}", name_, what));
 }
 
 void StopLine::end(base::Time /*now*/) {
@@ -148,6 +148,6 @@ void StopLine::end(base::Time /*now*/) {
   ::waitpid(process_, nullptr, 0);
 }
 
-std::vector<std::string> StopLine::news() { return std::exchange(news_, {}); }
+std::vector<std::string> StopLine::messages() { return std::exchange(messages_, {}); }
 
 }  // namespace fencepost::host

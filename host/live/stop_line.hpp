@@ -38,7 +38,7 @@ class StopLine final : public AlertOutput {
 
   void show(const AlertNow& alert, base::Time now) override;
   void end(base::Time now) override;
-  std::vector<std::string> news() override;
+  std::vector<std::string> messages() override;
 
  private:
   StopLine(linux::Descriptor socket, int process, std::string name)
@@ -52,7 +52,7 @@ class StopLine final : public AlertOutput {
   std::optional<bool> sent_;
   base::Time sent_at_;
   int said_ = 0;  ///< the error that was last said
-  std::vector<std::string> news_;
+  std::vector<std::string> messages_;
 };
 
 }  // namespace fencepost::host

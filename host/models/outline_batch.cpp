@@ -75,7 +75,7 @@ void OutlineBatch::add(Hybrid<kRing>& hybrid, float known_radius) {
   outline.hybrid = &hybrid;
   outline.radius_prior = radius_prior(known_radius);
   outline.refused = outline.stopped = false;
-  hybrid.news = 0;
+  hybrid.new_weight = 0;
   hybrid.fitting = true;
   gather(hybrid.clusters, outline.series, outline.ring);
 }

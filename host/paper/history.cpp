@@ -175,7 +175,7 @@ History follow_given(const Tour& tour, std::size_t object, const std::vector<std
       if (history.blobs.empty()) models->begin(1, blob.signature, sighting, frame.exposure);
       models->track(sighting.left.end, sighting.right.end, frame.exposure);
       models->model(sighting, {});
-      if (models->hybrid().news) solver->solve(models->hybrid());
+      if (models->hybrid().new_weight) solver->solve(models->hybrid());
       models->note_outline();
       history.blobs.push_back({f, box_of(blob), tour.images[f].regions[*b].colour.value_or(Colour{})});
     }

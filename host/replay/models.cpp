@@ -197,8 +197,8 @@ std::vector<Polyline> open_sides(recon::MapPoint origin, std::span<const recon::
 
 // Where fits take turns: an outline that is not known well knows less than the cylinder once a whole view waits.
 bool is_stale(const recon::HybridCore& hybrid) {
-  if (hybrid.refusal != recon::HybridRefusal::kNone) return hybrid.fitting || hybrid.news > 0;
-  return !hybrid.known_well && (hybrid.fitting || hybrid.news >= recon::kWholeNews);
+  if (hybrid.refusal != recon::HybridRefusal::kNone) return hybrid.fitting || hybrid.new_weight > 0;
+  return !hybrid.known_well && (hybrid.fitting || hybrid.new_weight >= recon::kWholeView);
 }
 
 }  // namespace

@@ -270,7 +270,7 @@ class ProfileRunner final : public Runner {
     result.width = static_cast<double>(next.width);
     result.x = static_cast<double>(place.x) / recon::kMapUnitsPerMetre;
     result.y = static_cast<double>(place.y) / recon::kMapUnitsPerMetre;
-    result.news = static_cast<double>(next.news);
+    result.gain = static_cast<double>(next.gain);
     return result;
   }
 

@@ -34,7 +34,7 @@ struct NextViewResult {
   double width = 0;    ///< rad, of the arc around it
   double x = 0;        ///< m, map frame: a place on it
   double y = 0;
-  double news = 0;  ///< share of the outline's area that a view from there may change
+  double gain = 0;  ///< share of the outline's area that a view from there may change
 };
 
 /// An object that the robot has driven past.

@@ -107,7 +107,7 @@ Json next_json(const std::optional<NextViewResult>& next) {
           {"width", rounded(next->width, kRecordDecimals)},
           {"x", rounded(next->x, kLengthDecimals)},
           {"y", rounded(next->y, kLengthDecimals)},
-          {"news", rounded(next->news, kRatioDecimals)}};
+          {"gain", rounded(next->gain, kRatioDecimals)}};
 }
 
 Json pass_json(const PassResult& pass) {

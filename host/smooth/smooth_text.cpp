@@ -48,7 +48,7 @@ std::string calibration_rows(const Smoothed& smoothed) {
   std::string text = fmt::format("\n{:<18}{:>10}{:>11}{:>10}\n", "", "configured", "found", "+-");
   for (const Finding& finding : smoothed.findings) {
     const auto number = [&](double value) { return fmt::format("{:.{}f}", value, finding.decimals); };
-    text += fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.told),
+    text += fmt::format("{:<18}{:>10}{:>11}{:>10}  {}\n", finding.label, number(finding.configured),
                         finding.held ? "not found" : number(finding.found), finding.held ? "" : number(finding.sigma),
                         finding.unit);
   }
@@ -84,7 +84,7 @@ Json findings_json(const Smoothed& smoothed) {
   for (const Finding& finding : smoothed.findings) {
     parameters[std::string(finding.key)] = {
         {"unit", finding.unit},
-        {"configured", rounded(finding.told, kDecimals)},
+        {"configured", rounded(finding.configured, kDecimals)},
         {"found", finding.held ? Json(nullptr) : rounded(finding.found, kDecimals)},
         {"sigma", finding.held ? Json(nullptr) : rounded(finding.sigma, kDecimals)}};
   }

@@ -50,9 +50,9 @@ base::Result<BoardFile, std::string> board_file(std::string_view file, const Boa
   if (!configured.ok()) return configured.error();
   const auto format = image_format("." + request.format);
   if (!format) return "there is no format " + request.format;
-  const Json said = {{"board", configured->board}, {"version", configured->version},
-                     {"lines", configured->told},  {"used", configured->used},
-                     {"room", configured->room},   {"begin", configured->memory.begin()}};
+  const Json said = {{"board", configured->board},      {"version", configured->version},
+                     {"lines", configured->configured}, {"used", configured->used},
+                     {"room", configured->room},        {"begin", configured->memory.begin()}};
   return BoardFile{write_image(configured->memory, *format), said.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 

@@ -21,7 +21,7 @@ std::string unstamped(const sensor::OdometrySample& sample) {
 Bench::Bench(BoardUnderTest board)
     : board_(std::move(board)), machine_(board_.machine ? board_.machine(board_) : std::make_unique<Emulator>(board_)) {
   attach_devices();
-  if (!board_.told.empty()) tell();
+  if (!board_.configured.empty()) tell();
 }
 
 base::Time Bench::now() const { return base::Time::nearest(machine_->seconds()); }
@@ -44,7 +44,7 @@ void Bench::attach_devices() {
 // Output up to now is kept.
 void Bench::tell() {
   static_cast<void>(await("READY\r\n"));
-  for (const std::string& setting : board_.told) {
+  for (const std::string& setting : board_.configured) {
     const std::string key = setting.substr(0, setting.find(' '));
     console().send("set " + setting + "\r");
     static_cast<void>(await("\n" + key + " = " + setting.substr(key.size() + 1)));

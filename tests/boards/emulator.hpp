@@ -47,8 +47,8 @@ struct BoardUnderTest {
   /// Devices of the lines above; a camera's line without one has a Pixy2.
   std::function<std::unique_ptr<emulate::DeviceModel>()> camera_device = {};
   std::function<std::unique_ptr<emulate::DeviceModel>()> base_device = {};
-  double frames_share = 0.9;           ///< of a scene's frames, as the camera can tell them
-  std::vector<std::string> told = {};  ///< settings that are typed first, such as "camera cmucam4"
+  double frames_share = 0.9;                 ///< of a scene's frames, as the camera can tell them
+  std::vector<std::string> configured = {};  ///< settings that are typed first, such as "camera cmucam4"
 };
 
 /// The folder with the images that this build has made.

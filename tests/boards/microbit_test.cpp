@@ -43,8 +43,9 @@ TEST(Microbit, SurvivesAConsoleThatIsBlocked) { expect_survives_blocked_console(
 TEST(Microbit, TellsOnceWhereTheLastRunDied) { expect_tells_of_a_fault(microbit(), 0x00001235); }
 // As it comes, and with each camera of its bus.
 TEST(Microbit, GoesOnWithACameraBusThatHangs) {
-  for (const auto& told : std::vector<std::vector<std::string>>{{}, {"camera nxtcam_i2c"}, {"camera huskylens_i2c"}}) {
-    expect_survives_hung_camera_bus(microbit({}, told));
+  for (const auto& configured :
+       std::vector<std::vector<std::string>>{{}, {"camera nxtcam_i2c"}, {"camera huskylens_i2c"}}) {
+    expect_survives_hung_camera_bus(microbit({}, configured));
   }
 }
 

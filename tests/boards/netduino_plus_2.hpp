@@ -6,9 +6,9 @@
 
 namespace fencepost::test {
 
-/// `told`: settings that are typed first; `started`: another .bin than the image. 125 million instructions a second
-/// are 1.34 cycles each.
-inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::vector<std::string> told = {},
+/// `configured`: settings that are typed first; `started`: another .bin than the image. 125 million instructions a
+/// second are 1.34 cycles each.
+inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::vector<std::string> configured = {},
                                       const std::string& started = "") {
   constexpr std::size_t kControl = 6;
   BoardUnderTest board;
@@ -16,7 +16,7 @@ inline BoardUnderTest netduino_plus_2(std::vector<std::string> more = {}, std::v
   board.lines = kControl + 1;
   board.camera = 5;
   board.console = 1;
-  board.told = std::move(told);
+  board.configured = std::move(configured);
   board.command = [more = std::move(more), started](const std::vector<std::string>& sockets) {
     const QemuBoard qemu{"netduinoplus2", image_of("netduino_plus_2") + ".elf", started, "systick_interrupt", 3, more};
     std::vector<std::string> words = qemu_command(qemu, sockets.at(kControl));

@@ -290,7 +290,7 @@ void forget_landmark(const FilterView& filter, std::size_t slot) {
 }
 
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step, float least_told) {
+                       std::span<float> step, float min_share) {
   const MapPose& pose = filter.at.pose;
   const Landmark& landmark = filter.landmarks[slot];
   const Vec2 map_R_robot = direction_of(pose.heading);
@@ -305,7 +305,7 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
   const float squared = residual * residual / innovation;
   compare(filter.gauge, jacobian, squared, innovation);
   if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
-  if (known < least_told * variance) return TangentFate::kKnown;
+  if (known < min_share * variance) return TangentFate::kKnown;
   projection.others();
   if (squared > kUsualSigmas * kUsualSigmas) innovation *= std::sqrt(squared) / kUsualSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;

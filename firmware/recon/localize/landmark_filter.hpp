@@ -114,11 +114,11 @@ void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGues
 void forget_landmark(const FilterView& filter, std::size_t slot);
 
 /// Updates the filter with one equation of the landmark in `slot`; `variance` (m^2) of its bound, non-roundness
-/// included. The equation is left out if the prior variance of its bound is below the share `least_told` of that.
+/// included. The equation is left out if the prior variance of its bound is below the share `min_share` of that.
 /// Residuals beyond two sigmas count less, by Huber's weight. `step` has states_of() elements; after an update it holds
 /// the step of each state (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step, float least_told = 0);
+                       std::span<float> step, float min_share = 0);
 
 /// The landmark relative to the robot: its centre from the pose's position, map axes. The covariance is that of the
 /// difference and includes the heading's part.

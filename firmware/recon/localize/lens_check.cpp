@@ -16,7 +16,9 @@ std::int32_t turn_between(std::int32_t from, std::int32_t to) {
 
 }  // namespace
 
-float LensCheck::told_over_true() const { return turned_told_ > 0 ? turned_square_ / turned_told_ : 1.0F; }
+float LensCheck::configured_over_true() const {
+  return turned_configured_ > 0 ? turned_square_ / turned_configured_ : 1.0F;
+}
 
 // True if the robot turns, by the heading of the frame before.
 bool LensCheck::turn(std::int32_t heading, base::Time exposure) {
@@ -68,13 +70,13 @@ void LensCheck::compare(const View& view, const CameraModel& camera, const MapPo
   learn(turned, base::atan2_rad(cross(view.bearing, view_.bearing), view.bearing.dot(view_.bearing)));
 }
 
-void LensCheck::learn(float turned, float told) {
-  const float product = turned * told;
+void LensCheck::learn(float turned, float configured) {
+  const float product = turned * configured;
   const float square = turned * turned;
   if (product * kLensMaxOff < square || product > kLensMaxOff * square) return;
   turned_square_ += square;
-  turned_told_ += product;
-  told_square_ += told * told;
+  turned_configured_ += product;
+  configured_square_ += configured * configured;
   ++samples_;
   if (fresh_ && objects_ < kLensObjects) ++objects_;
   fresh_ = false;
@@ -82,16 +84,16 @@ void LensCheck::learn(float turned, float told) {
   if (samples_ < kLensMaxSamples) return;
   samples_ /= 2;
   turned_square_ *= 0.5F;
-  turned_told_ *= 0.5F;
-  told_square_ *= 0.5F;
+  turned_configured_ *= 0.5F;
+  configured_square_ *= 0.5F;
 }
 
 void LensCheck::judge() {
   if (samples_ < kLensMinSamples || objects_ < kLensObjects) return;
   const LensGate& gate = wrong_ ? kLensRight : kLensWrong;
   const float share =
-      turned_told_ / turned_square_;  // apparent turn over the robot's turn: true over configured focal length
-  const float scatter = (told_square_ - share * turned_told_) / static_cast<float>(samples_ - 1);
+      turned_configured_ / turned_square_;  // apparent turn over the robot's turn: true over configured focal length
+  const float scatter = (configured_square_ - share * turned_configured_) / static_cast<float>(samples_ - 1);
   const float variance = std::max(scatter, kLensSampleSigma * kLensSampleSigma);
   const float off = share - 1;
   const bool sure = off * off * turned_square_ > gate.sigmas * gate.sigmas * variance;
@@ -101,7 +103,7 @@ void LensCheck::judge() {
 void LensCheck::hash(base::Fnv1a64& hash, std::uint32_t turn) const {
   switch (turn % 4) {
     case 0:
-      for (const float sum : {turned_square_, turned_told_, told_square_}) hash.f32(sum);
+      for (const float sum : {turned_square_, turned_configured_, configured_square_}) hash.f32(sum);
       break;
     case 1:
       for (const std::int32_t count : {then_.position.x, then_.position.y, then_.heading}) hash.i32(count);

@@ -41,9 +41,11 @@ class LensCheck {
   /// True if the configured focal length is wrong by a factor and a significance beyond kLensWrong; see kLensRight too.
   [[nodiscard]] bool wrong() const { return wrong_; }
   /// The configured focal length over the true one, if wrong().
-  [[nodiscard]] std::optional<float> error() const { return wrong_ ? std::optional(told_over_true()) : std::nullopt; }
+  [[nodiscard]] std::optional<float> error() const {
+    return wrong_ ? std::optional(configured_over_true()) : std::nullopt;
+  }
   /// The estimated ratio of the configured focal length to the true one; 1 without a sample.
-  [[nodiscard]] float told_over_true() const;
+  [[nodiscard]] float configured_over_true() const;
 
   /// One part in turn: `turn` counts frames.
   void hash(base::Fnv1a64& hash, std::uint32_t turn) const;
@@ -83,14 +85,14 @@ class LensCheck {
   [[gnu::noinline]] void take(const ObjectCore& object, const Observation& seen, const CameraModel& camera,
                               const LensPose& lens, const MapPose& odometry, bool begins);
   void compare(const View& view, const CameraModel& camera, const MapPose& odometry);
-  void learn(float turned, float told);
+  void learn(float turned, float configured);
   void judge();
 
-  // Sums over samples, rad^2. `turned`: the robot's turn less parallax. `told`: the object's turn by the configured
-  // lens.
+  // Sums over samples, rad^2. `turned`: the robot's turn less parallax. `configured`: the object's turn by the
+  // configured lens.
   float turned_square_ = 0;
-  float turned_told_ = 0;
-  float told_square_ = 0;
+  float turned_configured_ = 0;
+  float configured_square_ = 0;
 
   // The frame that the next one is compared with.
   MapPose then_;

@@ -222,7 +222,7 @@ class PoseCorrection {
       const SightedCircle::Line& line = circle.lines[i];
       if (!(line.variance > 0) || i == left_out) continue;
       std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step, kPace.least_told));
+      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step, kPace.min_share));
       surprise = std::max(surprise, filter_.gauge().surprise);
     }
     return surprise;

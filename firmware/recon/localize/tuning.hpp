@@ -60,7 +60,7 @@ struct LandmarkPace {
   LookInterval corrected;  ///< since it is not; a turn of -1: every frame
   /// An equation is left out if the prior variance of its bound is below this share of its own: it adds hardly
   /// anything.
-  float least_told = 0;
+  float min_share = 0;
   bool in_turns = false;  ///< width and foot: one of them each time
   /// Minimum of the sum, in squared sigmas, by which bearings fit the landmarks better than the odometry. Each bearing
   /// adds at most kMaxEvidence. Less: drift is seen where the pitch is wrong, where things hang above the floor, or

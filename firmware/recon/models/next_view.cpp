@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kTwoPi = 2 * 3.14159265F;
 /// Minimum gain in the arc, as a share of the greatest. By design.
-constexpr float kNewsOfArc = 0.7F;
+constexpr float kGainOfArc = 0.7F;
 /// Share of the gain that half the way round the object costs. By design.
 constexpr float kPriceOfWay = 0.05F;
 /// Weight of the gain by which another view lowers a side's sigma, beside the area that it cuts off. Next-view study,
@@ -95,7 +95,7 @@ class SidesAround {
 };
 
 // Computes the gain of a tangent for each normal, in m^2 of a round object of radius 1.
-void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<float, kDirections>& news) {
+void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<float, kDirections>& gain) {
   const auto whole = static_cast<float>(nodes);
   for (std::size_t i = 0; i < sides.count(); ++i) {
     const Side from = sides.at(i);
@@ -110,7 +110,7 @@ void tell(const SidesAround& sides, std::size_t nodes, float radius, std::array<
       const float share = (static_cast<float>(k) - from.place) / gap;
       const Side& nearer = share < 0.5F ? from : to;
       const float again = std::fabs(1 - 2 * share) * nearer.gain / radius * std::min(angle, 1.0F);
-      news[k % nodes] = 4 * share * (1 - share) * corner + kOfSigma * again;
+      gain[k % nodes] = 4 * share * (1 - share) * corner + kOfSigma * again;
     }
   }
 }
@@ -147,22 +147,22 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   const float edge_on = (0.25F - std::min(radius / distance, 1.0F) / kTwoPi) * static_cast<float>(nodes);
   const auto aside = static_cast<std::size_t>(edge_on + 0.5F);
   // 0 where the robot cannot be
-  const auto news = [&](std::size_t k) {
+  const auto gain = [&](std::size_t k) {
     if (!is_free(distance * node_direction(k, nodes), others, clearance)) return 0.0F;
     return told[(k + aside) % nodes] + told[(k + nodes - aside) % nodes];
   };
   std::size_t best = nodes;
   float best_worth = 0;
   for (std::size_t k = 0; k < nodes; ++k) {
-    const float worth = news(k) * (1 - kPriceOfWay * way_round(now, k, nodes));
+    const float worth = gain(k) * (1 - kPriceOfWay * way_round(now, k, nodes));
     if (worth <= best_worth) continue;
     best = k;
     best_worth = worth;
   }
   next.refusal = NextViewRefusal::kBlocked;
   if (best == nodes) return next;
-  const float most = news(best);
-  const auto belongs = [&](std::size_t k) { return news(k % nodes) >= kNewsOfArc * most; };
+  const float most = gain(best);
+  const auto belongs = [&](std::size_t k) { return gain(k % nodes) >= kGainOfArc * most; };
   std::size_t left = 0;
   while (left < nodes / 2 && belongs(best + left + 1)) ++left;
   std::size_t right = 0;
@@ -171,7 +171,7 @@ NextView next_view(const OutlineView& outline, ConstClusters clusters, const Vec
   next.toward = node_direction(best, nodes);
   next.place = distance * next.toward;
   next.width = kTwoPi * static_cast<float>(std::min(left + right + 1, nodes)) / static_cast<float>(nodes);
-  next.news = std::min(most / (0.5F * kTwoPi), 1.0F);
+  next.gain = std::min(most / (0.5F * kTwoPi), 1.0F);
   return next;
 }
 

@@ -27,7 +27,7 @@ struct NextView {
   Vec2 toward{1, 0};  ///< unit, to the middle of the arc
   Vec2 place{0, 0};   ///< on it, m, local frame of the outline
   float width = 0;    ///< of the arc, rad
-  float news = 0;     ///< share of the outline's area that a view from there may change
+  float gain = 0;     ///< share of the outline's area that a view from there may change
 
   [[nodiscard]] bool ok() const { return refusal == NextViewRefusal::kNone; }
 };

@@ -15,7 +15,7 @@ inline BoardUnderTest microbit_v2(std::vector<std::string> more = {}) {
   constexpr std::size_t kControl = 2;
   BoardUnderTest board;
   board.name = "microbit_v2";
-  board.told = {"camera console"};
+  board.configured = {"camera console"};
   board.lines = kControl + 1;
   board.command = [more = std::move(more)](const std::vector<std::string>& sockets) {
     const QemuBoard qemu{"mps2-an386", image_of("microbit_v2", kMicrobitV2OnMps2) + ".elf", "", "systick_interrupt", 4,

@@ -29,7 +29,7 @@ TEST(MicrobitV2, ReplaysACorrectedPose) {
 
 TEST(MicrobitV2, ReplaysAnApproachSeenOnItsSecondLine) {
   BoardUnderTest board = microbit_v2();
-  board.told = {"camera pixy2"};
+  board.configured = {"camera pixy2"};
   board.camera = kMicrobitV2Line;
   expect_scene_replays(board, "small", recorded_scene("approach_stop"));
 }
@@ -37,7 +37,7 @@ TEST(MicrobitV2, ReplaysAnApproachSeenOnItsSecondLine) {
 // Open Interface specification of the Create 2: wheels of 72 mm, 508.8 counts a revolution.
 TEST(MicrobitV2, ReplaysABoxBesideTheWayOfACreate) {
   BoardUnderTest board = microbit_v2();
-  board.told.emplace_back("odometry create2");
+  board.configured.emplace_back("odometry create2");
   board.base = kMicrobitV2Line;
   board.base_device = [] {
     return emulate::make_create_model(emulate::CreateModel::kTwo, {0.072 * std::numbers::pi / 508.8, 0.235});
@@ -53,7 +53,7 @@ TEST(MicrobitV2, ReplaysABoxBesideTheWayOfACreate) {
 
 TEST(MicrobitV2, HasOneLineForACameraOrABase) {
   BoardUnderTest board = microbit_v2();
-  board.told = {"camera pixy2"};
+  board.configured = {"camera pixy2"};
   board.camera = kMicrobitV2Line;
   Bench bench(board);
   ASSERT_TRUE(bench.await_camera()) << bench.said();

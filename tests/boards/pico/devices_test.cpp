@@ -35,7 +35,7 @@ class PicoDevices : public ::testing::TestWithParam<PicoCamera> {};
 
 TEST_P(PicoDevices, EachCameraIsSeenThroughItsOwnLens) {
   BoardUnderTest board = pico();
-  board.told = {std::string("camera ") + GetParam().name};
+  board.configured = {std::string("camera ") + GetParam().name};
   if (GetParam().make != nullptr) board.camera_device = GetParam().make;
   Bench bench(board);
   ASSERT_TRUE(bench.await_camera(20)) << bench.said();

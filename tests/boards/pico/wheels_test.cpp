@@ -9,7 +9,7 @@ namespace fencepost::test {
 namespace {
 
 BoardUnderTest with_wheels(BoardUnderTest board) {
-  board.told = {"camera pixy2_i2c", "odometry encoders"};
+  board.configured = {"camera pixy2_i2c", "odometry encoders"};
   return board;
 }
 

@@ -104,15 +104,15 @@ TEST(CarDrive, AFewReadingsAreNoStandstillHoweverLongTheyLast) {
 }
 
 TEST(CarDrive, WithoutAStandstillTheSettingIsTheBias) {
-  CarGeometry told = car();
-  told.gyro_bias_urad_s = 50'000;
+  CarGeometry configured = car();
+  configured.gyro_bias_urad_s = 50'000;
   Bench bench;
-  bench.car.take(reading(0, 0, 0.05), told);
-  EXPECT_EQ(bench.go(4.0, 10, 0.05, {}, told).heading.raw, 0);
+  bench.car.take(reading(0, 0, 0.05), configured);
+  EXPECT_EQ(bench.go(4.0, 10, 0.05, {}, configured).heading.raw, 0);
   EXPECT_FALSE(bench.car.learnt_bias());
-  Bench untold;
-  untold.car.take(reading(0, 0, 0.05), car());
-  EXPECT_NEAR(untold.go(4.0, 10, 0.05).heading.to_double(), 0.2, 1e-4);
+  Bench unconfigured;
+  unconfigured.car.take(reading(0, 0, 0.05), car());
+  EXPECT_NEAR(unconfigured.go(4.0, 10, 0.05).heading.to_double(), 0.2, 1e-4);
 }
 
 TEST(CarDrive, ATurnByHandIsNoBias) {
@@ -134,22 +134,22 @@ TEST(CarDrive, AWarmingGyroIsFollowedAtEachStop) {
 }
 
 TEST(CarDrive, ScaleAndOffsetAreTakenOut) {
-  CarGeometry told = car();
-  told.gyro_scale = -5'000;  // clockwise is positive, and twice too much
+  CarGeometry configured = car();
+  configured.gyro_scale = -5'000;  // clockwise is positive, and twice too much
   Bench gyro;
-  gyro.car.take(reading(0, 0, -1.0), told);
-  EXPECT_NEAR(gyro.go(1.0, 10, -1.0, {}, told).heading.to_double(), 0.5, 1e-4);
+  gyro.car.take(reading(0, 0, -1.0), configured);
+  EXPECT_NEAR(gyro.go(1.0, 10, -1.0, {}, configured).heading.to_double(), 0.5, 1e-4);
 
-  told = car();
-  told.steer_scale = 500;
-  told.steer_offset_urad = 100'000;
+  configured = car();
+  configured.steer_scale = 500;
+  configured.steer_offset_urad = 100'000;
   Bench steering;
-  steering.car.take(reading(0, 0, {}, 0.1), told);
-  EXPECT_EQ(steering.go(1.0, 10, {}, 0.1, told).heading.raw, 0);
+  steering.car.take(reading(0, 0, {}, 0.1), configured);
+  EXPECT_EQ(steering.go(1.0, 10, {}, 0.1, configured).heading.raw, 0);
   const double turned = 0.25 * std::tan(0.2) / 0.2;  // of a quarter of a metre, wheels at (0.5 - 0.1) / 2
   Bench turning;
-  turning.car.take(reading(0, 0, {}, 0.5), told);
-  EXPECT_NEAR(turning.go(1.0, 10, {}, 0.5, told).heading.to_double(), turned, 1e-4);
+  turning.car.take(reading(0, 0, {}, 0.5), configured);
+  EXPECT_NEAR(turning.go(1.0, 10, {}, 0.5, configured).heading.to_double(), turned, 1e-4);
 }
 
 TEST(CarDrive, CountsWrapAndEncodersRestart) {
@@ -344,21 +344,21 @@ TEST(CarDrive, AStandstillThatIsInterruptedBeginsAnew) {
   EXPECT_EQ(learnt(without, t, {100}), 100.0);
 }
 
-TEST(CarDrive, ABiasToldIsTakenOutToItsTenThousandth) {
-  CarGeometry told = car();
-  told.gyro_bias_urad_s = 150;  // 1.5 of 10^-4 rad/s
+TEST(CarDrive, ABiasConfiguredIsTakenOutToItsTenThousandth) {
+  CarGeometry configured = car();
+  configured.gyro_bias_urad_s = 150;  // 1.5 of 10^-4 rad/s
   CarDrive drive;
-  drive.take(raw_reading(0, 0, 10), told);
-  EXPECT_EQ(drive.take(raw_reading(80'000, 1, 10), told).heading.raw, 68) << "8.5 of them for 8 s";
+  drive.take(raw_reading(0, 0, 10), configured);
+  EXPECT_EQ(drive.take(raw_reading(80'000, 1, 10), configured).heading.raw, 68) << "8.5 of them for 8 s";
 }
 
 TEST(CarDrive, SaysWhatIsMissing) {
-  CarGeometry untold;
-  EXPECT_EQ(problem_of(reading(0, 0, 0.1), untold), CarProblem::kNoCounts);
-  untold.pm_per_count = 1;
-  EXPECT_EQ(problem_of(reading(0, 0, {}), untold), CarProblem::kNoHeading);
-  EXPECT_EQ(problem_of(reading(0, 0, {}, 0.1), untold), CarProblem::kNoWheelbase);
-  EXPECT_EQ(problem_of(reading(0, 0, 0.1), untold), CarProblem::kNone);
+  CarGeometry unconfigured;
+  EXPECT_EQ(problem_of(reading(0, 0, 0.1), unconfigured), CarProblem::kNoCounts);
+  unconfigured.pm_per_count = 1;
+  EXPECT_EQ(problem_of(reading(0, 0, {}), unconfigured), CarProblem::kNoHeading);
+  EXPECT_EQ(problem_of(reading(0, 0, {}, 0.1), unconfigured), CarProblem::kNoWheelbase);
+  EXPECT_EQ(problem_of(reading(0, 0, 0.1), unconfigured), CarProblem::kNone);
   EXPECT_EQ(problem_of(reading(0, 0, {}, 0.1), car()), CarProblem::kNone);
 }
 

@@ -92,7 +92,7 @@ TEST(TickCounter, TimeThatStandsStillOrRunsBackTellsNothing) {
   EXPECT_FALSE(counter.step(4, base::Time{INT64_MAX / 2})) << "and no overflow";
 }
 
-TEST(TickCounter, ForgetsWhenTold) {
+TEST(TickCounter, ForgetsOnRequest) {
   TickCounter counter(32, 1'000);
   EXPECT_FALSE(counter.step(10, tick_at(0)));
   counter.forget();

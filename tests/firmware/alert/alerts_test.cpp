@@ -112,22 +112,22 @@ TEST(AlertLevel, AStopComesBeforeTheNextLookWouldBeTooLate) {
 }
 
 // Two centimetres nearer or farther, or another level.
-TEST(AlertNews, AreWhatAPersonHasNotBeenTold) {
+TEST(NewAlert, IsWhatAPersonHasNotHeard) {
   AlertState state;
   record::AlertReport report;
-  const auto is_news = [&](AlertLevel level, std::int32_t distance) {
+  const auto is_new_to_person = [&](AlertLevel level, std::int32_t distance) {
     report.level = level;
     report.distance = {distance};
-    return alert::news(state, report);
+    return alert::is_new(state, report);
   };
-  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
-  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'000));
-  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'199));
-  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'200));
-  EXPECT_FALSE(is_news(AlertLevel::kWarn, 5'001)) << "of what was said last";
-  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
-  EXPECT_TRUE(is_news(AlertLevel::kStop, 5'000));
-  EXPECT_TRUE(is_news(AlertLevel::kWarn, 5'000));
+  EXPECT_TRUE(is_new_to_person(AlertLevel::kWarn, 5'000));
+  EXPECT_FALSE(is_new_to_person(AlertLevel::kWarn, 5'000));
+  EXPECT_FALSE(is_new_to_person(AlertLevel::kWarn, 5'199));
+  EXPECT_TRUE(is_new_to_person(AlertLevel::kWarn, 5'200));
+  EXPECT_FALSE(is_new_to_person(AlertLevel::kWarn, 5'001)) << "of what was said last";
+  EXPECT_TRUE(is_new_to_person(AlertLevel::kWarn, 5'000));
+  EXPECT_TRUE(is_new_to_person(AlertLevel::kStop, 5'000));
+  EXPECT_TRUE(is_new_to_person(AlertLevel::kWarn, 5'000));
 }
 
 class Judge : public testing::Test {

@@ -22,9 +22,9 @@ constexpr double kFocal = 273.6;
 constexpr double kFisheye = 120.7;
 constexpr double kLens = 0.13;  // m, height
 
-ToldOptics optics() { return {kFocal, kFocal, 157.5, 103.5, 316, 208}; }
-ToldOptics optics(const Camera& camera) {
-  return camera.fisheye ? ToldOptics{kFisheye, kFisheye, 157.5, 103.5, 316, 208, true} : optics();
+ConfiguredOptics optics() { return {kFocal, kFocal, 157.5, 103.5, 316, 208}; }
+ConfiguredOptics optics(const Camera& camera) {
+  return camera.fisheye ? ConfiguredOptics{kFisheye, kFisheye, 157.5, 103.5, 316, 208, true} : optics();
 }
 
 CameraValues values_of(const Camera& camera) { return {0, camera.yaw, camera.pitch, 0, kLens, 0.05, 0.01, camera.k1}; }

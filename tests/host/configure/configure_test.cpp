@@ -125,7 +125,7 @@ TEST(Configure, WheelsAreAWheelWithSuchTicks) {
   const auto configured = configure(image(), request);
   ASSERT_TRUE(configured.ok()) << configured.error();
   config::Devices devices;
-  for (const std::string& line : configured->told) {
+  for (const std::string& line : configured->configured) {
     const std::size_t comma = line.find(',', 7);
     ASSERT_FALSE(devices.set(line.substr(7, comma - 7), line.substr(comma + 1, line.find('*') - comma - 1))) << line;
   }

@@ -36,8 +36,8 @@ class AlertCommandTest : public ::testing::Test {
   /// Its first message within a generous time.
   static std::string said_by(AlertCommand& command) {
     for (int i = 0; i < 5'000; ++i) {
-      const std::vector<std::string> news = command.news();
-      if (!news.empty()) return news.front();
+      const std::vector<std::string> messages = command.messages();
+      if (!messages.empty()) return messages.front();
       std::this_thread::sleep_for(Ms(2));
     }
     return "nothing";
@@ -86,7 +86,7 @@ TEST_F(AlertCommandTest, RunsAtEachChangeAndOnlyThen) {
   }
   command.end({});
   EXPECT_EQ(read(path("seen")), "blind\nclear\nwarn\nblind\n") << "the end of the run is a change, too";
-  EXPECT_TRUE(command.news().empty());
+  EXPECT_TRUE(command.messages().empty());
 }
 
 TEST_F(AlertCommandTest, TheEndOfARunThatStandsIsNoChange) {

@@ -143,7 +143,7 @@ TEST(CanAlert, SaysOnceThatTheBusDoesNotWorkAndThatItDoesAgain) {
   const auto turns = [&](int from) {
     for (int i = from; i < from + 5; ++i) {
       output.show(stop(), base::Time{} + base::milliseconds(i));
-      for (const std::string& sentence : output.news()) said.push_back(sentence);
+      for (const std::string& sentence : output.messages()) said.push_back(sentence);
     }
   };
   turns(0);

@@ -104,7 +104,7 @@ TEST_F(StopLineTest, HighOnlyWhileTheRobotMayDrive) {
   EXPECT_EQ(level->high, 1) << "held as long as it is renewed";
   line->show(may(false), now);
   EXPECT_LE(until_level(0).count(), 20);
-  EXPECT_TRUE(line->news().empty());
+  EXPECT_TRUE(line->messages().empty());
 }
 
 TEST_F(StopLineTest, ActiveHighIsTheOtherWayRound) {
@@ -155,7 +155,7 @@ TEST_F(StopLineTest, SaysOnceThatTheLineCannotBeSet) {
   std::vector<std::string> said;
   for (int i = 0; i < 50; ++i) {
     show(*line, false, 5);
-    for (const std::string& sentence : line->news()) said.push_back(sentence);
+    for (const std::string& sentence : line->messages()) said.push_back(sentence);
   }
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(said[0], "the STOP line fake:3 does not follow any more: Input/output error");

@@ -53,7 +53,7 @@ struct Models {
       plain.add(given);
       kept.add(given);
       hybrid.add(given);
-      if (hybrid.news) solver->solve(hybrid);
+      if (hybrid.new_weight) solver->solve(hybrid);
     }
   }
   [[nodiscard]] host::Carved carved() const {

@@ -29,7 +29,7 @@ Wide any_hybrid(std::mt19937& random) {
   hybrid.origin = {static_cast<std::int32_t>(random() % 100'000), -static_cast<std::int32_t>(random() % 100'000)};
   hybrid.views = static_cast<std::uint8_t>(kViewsForPolygon + random() % 200);
   hybrid.refusal = random() % 4 == 0 ? HybridRefusal::kNoTangents : HybridRefusal::kNone;
-  hybrid.news = true;
+  hybrid.new_weight = true;
   for (std::int16_t& offset : hybrid.offsets) offset = static_cast<std::int16_t>(random() % 2000);
   for (std::uint8_t& sigma : hybrid.sigmas) sigma = static_cast<std::uint8_t>(random() % 256);
   const float radius = random() % 3 == 0 ? uniform(random, 0.3F, 1.5F) : uniform(random, 0.01F, 0.3F);

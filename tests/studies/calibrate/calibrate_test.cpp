@@ -29,7 +29,7 @@ CalibrateOutcome run(const CalibrationDrive& drive, const CalibrateOptions& opti
 }
 
 // Without noise the only errors are those that the model does not have: corners, whole pixels.
-TEST(Calibrate, FindsWhatWasToldWrong) {
+TEST(Calibrate, FindsWhatWasConfiguredWrong) {
   DriveOptions options;
   options.seed = 501;
   options.noise = 0;
@@ -57,7 +57,7 @@ TEST(Calibrate, FindsWhatWasToldWrong) {
 
 // Wide lenses show more: what the log names is fitted, edges and feet 70 degrees off the axis, too.
 class FisheyeCalibrate : public testing::TestWithParam<double> {};
-TEST_P(FisheyeCalibrate, FindsWhatWasToldWrong) {
+TEST_P(FisheyeCalibrate, FindsWhatWasConfiguredWrong) {
   DriveOptions options;
   options.seed = 503;
   options.fisheye = GetParam();
@@ -120,7 +120,7 @@ TEST(Calibrate, AColourThatIsNotThereIsAUsageError) {
 }
 
 // Pitch is: a foot's row changes as its block goes across the image.
-TEST(Calibrate, OnTheSpotYawIsNotTold) {
+TEST(Calibrate, OnTheSpotYawIsNotObserved) {
   DriveOptions options;
   options.seed = 504;
   options.motion = Motion::kSpin;
@@ -131,10 +131,10 @@ TEST(Calibrate, OnTheSpotYawIsNotTold) {
   const Finding& yaw = finding(*outcome.calibration, "yaw");
   EXPECT_FALSE(yaw.observed) << yaw.sigma;
   EXPECT_NE(yaw.motion.find("on the spot tells nothing"), std::string_view::npos);
-  EXPECT_EQ(outcome.calibration->found.mount.yaw, outcome.calibration->told.mount.yaw);
+  EXPECT_EQ(outcome.calibration->found.mount.yaw, outcome.calibration->configured.mount.yaw);
 }
 
-TEST(Calibrate, StraightOnTheFocalLengthIsNotTold) {
+TEST(Calibrate, StraightOnTheFocalLengthIsNotObserved) {
   DriveOptions options;
   options.seed = 505;
   options.motion = Motion::kStraight;
@@ -144,10 +144,10 @@ TEST(Calibrate, StraightOnTheFocalLengthIsNotTold) {
     return;
   }
   EXPECT_FALSE(finding(*outcome.calibration, "focal_length").observed);
-  EXPECT_EQ(outcome.calibration->found.fx, outcome.calibration->told.fx);
+  EXPECT_EQ(outcome.calibration->found.fx, outcome.calibration->configured.fx);
 }
 
-TEST(Calibrate, ARobotThatStandsIsToldToDrive) {
+TEST(Calibrate, ARobotThatStandsIsAskedToDrive) {
   DriveOptions options;
   options.seed = 506;
   options.motion = Motion::kStanding;

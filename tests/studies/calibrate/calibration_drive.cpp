@@ -150,17 +150,17 @@ sensor::CameraIntrinsics true_camera(double fisheye, Dice& dice) {
   return camera;
 }
 
-sensor::CameraIntrinsics told_camera(const sensor::CameraIntrinsics& truth, Dice& dice) {
-  sensor::CameraIntrinsics told = truth;
+sensor::CameraIntrinsics configured_camera(const sensor::CameraIntrinsics& truth, Dice& dice) {
+  sensor::CameraIntrinsics configured = truth;
   const auto millimetres = [&] { return dice.between(-0.004, 0.004); };
-  told.fx = told.fy = base::Pixels2::nearest(truth.fx.to_double() / (1 + 0.05 * sign(dice)));
-  told.mount.yaw = base::Radians::nearest(truth.mount.yaw.to_double() + 2 * kDegree * sign(dice));
-  told.mount.pitch = base::Radians::nearest(truth.mount.pitch->to_double() + 2 * kDegree * sign(dice));
-  told.latency = base::Duration::nearest(truth.latency.to_double() + 0.05 * sign(dice));
-  told.mount.x = base::Metres::nearest(truth.mount.x.to_double() + millimetres());
-  told.mount.y = base::Metres::nearest(truth.mount.y.to_double() + millimetres());
-  told.mount.z = base::Metres::nearest(truth.mount.z.to_double() + millimetres());
-  return told;
+  configured.fx = configured.fy = base::Pixels2::nearest(truth.fx.to_double() / (1 + 0.05 * sign(dice)));
+  configured.mount.yaw = base::Radians::nearest(truth.mount.yaw.to_double() + 2 * kDegree * sign(dice));
+  configured.mount.pitch = base::Radians::nearest(truth.mount.pitch->to_double() + 2 * kDegree * sign(dice));
+  configured.latency = base::Duration::nearest(truth.latency.to_double() + 0.05 * sign(dice));
+  configured.mount.x = base::Metres::nearest(truth.mount.x.to_double() + millimetres());
+  configured.mount.y = base::Metres::nearest(truth.mount.y.to_double() + millimetres());
+  configured.mount.z = base::Metres::nearest(truth.mount.z.to_double() + millimetres());
+  return configured;
 }
 
 host::SceneNoise noise_of(const DriveOptions& options) {
@@ -184,13 +184,13 @@ CalibrationDrive calibration_drive(const DriveOptions& options) {
   drive.scene.seed = options.seed;
   drive.scene.rate = 50;
   drive.scene.camera = true_camera(options.fisheye, dice);
-  drive.told = told_camera(drive.scene.camera, dice);
+  drive.configured = configured_camera(drive.scene.camera, dice);
   const std::vector<host::TimedPose> way = way_of(options, dice);
   drive.scene.path = host::PosesPath{way};
   place_blocks(drive.scene, way, options, dice);
   drive.scene.noise = noise_of(options);
   const auto simulated = host::simulate(drive.scene, [&](std::string_view line) {
-    drive.log += line.starts_with("$FPCAM") ? line_of(drive.told) : std::string(line);
+    drive.log += line.starts_with("$FPCAM") ? line_of(drive.configured) : std::string(line);
   });
   if (!simulated) throw std::runtime_error(simulated.error());
   return drive;

@@ -30,8 +30,9 @@ struct DriveOptions {
 
 struct CalibrationDrive {
   std::string log;
-  host::Scene scene;              ///< with the true camera
-  sensor::CameraIntrinsics told;  ///< f off by 5 %, yaw and pitch by 2 degrees, latency by 50 ms, mount by some mm
+  host::Scene scene;  ///< with the true camera
+  sensor::CameraIntrinsics
+      configured;  ///< f off by 5 %, yaw and pitch by 2 degrees, latency by 50 ms, mount by some mm
 };
 
 CalibrationDrive calibration_drive(const DriveOptions& options);

@@ -24,7 +24,7 @@ struct Request {
 struct Column {
   double sum = 0;
   double square = 0;
-  double told_square = 0;
+  double configured_square = 0;
   double sigma_square = 0;
   std::size_t covered = 0;  ///< by +-1.96 sigma
   std::size_t n = 0;
@@ -45,11 +45,11 @@ using Columns = std::map<std::string_view, Column>;
 constexpr std::string_view kPads = "pads";
 
 /// Adds one number of a log.
-void add(Column& column, double told, double found, double sigma, double truth, double unit) {
+void add(Column& column, double configured, double found, double sigma, double truth, double unit) {
   const double error = (found - truth) / unit;
   column.sum += error;
   column.square += error * error;
-  column.told_square += std::pow((told - truth) / unit, 2);
+  column.configured_square += std::pow((configured - truth) / unit, 2);
   column.sigma_square += std::pow(sigma / unit, 2);
   column.covered += std::abs(found - truth) <= 1.96 * sigma ? 1U : 0U;
   ++column.n;
@@ -60,7 +60,7 @@ void add(const CalibrationDrive& drive, const host::Finding& finding, Columns& c
   column.unit = finding.unit;
   if (finding.held) return;
   const double truth = true_value(drive, finding.key);
-  add(column, finding.told, finding.found, finding.sigma, truth, finding.key == "focal_length" ? truth : 1);
+  add(column, finding.configured, finding.found, finding.sigma, truth, finding.key == "focal_length" ? truth : 1);
 }
 
 bool judge(const Request& request, const Columns& columns, unsigned logs) {
@@ -108,7 +108,7 @@ bool run(const Request& request) {
       add(drive, finding, columns);
       if (!request.verbose) continue;
       print(fmt::format("{} {} true {:.3f} configured {:.3f} found {:.3f} +- {:.3f}{}\n", options.seed, finding.key,
-                        true_value(drive, finding.key), finding.told, finding.found, finding.sigma,
+                        true_value(drive, finding.key), finding.configured, finding.found, finding.sigma,
                         finding.observed ? "" : " not observed"));
     }
   }
@@ -121,9 +121,10 @@ bool run(const Request& request) {
     const double n = static_cast<double>(std::max<std::size_t>(1, column.n));
     const double shown = key == "focal_length" ? 100 : 1;
     print(fmt::format("| {}, {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.1f} % |\n", key,
-                      key == "focal_length" ? "%" : column.unit, column.n, shown * std::sqrt(column.told_square / n),
-                      shown * std::sqrt(column.square / n), shown * column.sum / n,
-                      shown * std::sqrt(column.sigma_square / n), 100 * static_cast<double>(column.covered) / n));
+                      key == "focal_length" ? "%" : column.unit, column.n,
+                      shown * std::sqrt(column.configured_square / n), shown * std::sqrt(column.square / n),
+                      shown * column.sum / n, shown * std::sqrt(column.sigma_square / n),
+                      100 * static_cast<double>(column.covered) / n));
   }
   return !request.judge || (refused == 0 && judge(request, columns, request.seeds.scenes));
 }

@@ -26,7 +26,7 @@ DrivenLog drive(const host::Scene& scene, const DriftOptions& options) {
   const auto setting = [](std::string_view key, const std::string& value) {
     return record::Setting{key, std::string_view(value)};
   };
-  const std::string log = with_setting(tour.log, setting("correct.drift", options.told));
+  const std::string log = with_setting(tour.log, setting("correct.drift", options.configured));
   return {with_setting(log, setting("correct.pose", options.correct)), odometry.truth()};
 }
 

@@ -22,8 +22,8 @@ struct DriftOptions {
   unsigned seed = 1;
   int loops = 1;
   Drift drift;
-  std::string correct = "auto";  ///< correct.pose
-  std::string told = "3.0";      ///< correct.drift, %
+  std::string correct = "auto";    ///< correct.pose
+  std::string configured = "3.0";  ///< correct.drift, %
   std::string profile = "full";
   std::string level = "2";  ///< of blob noise, see noise_levels.hpp; its pose noise is left out
 };

@@ -120,12 +120,12 @@ TEST_P(DriftIn, ByItselfItCorrectsWhatDrifts) {
 }
 
 // Four times as careful as it would have to be, it still finds its way.
-TEST_P(DriftIn, ToldTooMuchDriftItDoesNotDiverge) {
+TEST_P(DriftIn, ConfiguredTooMuchDriftItDoesNotDiverge) {
   DriftOptions options = options_of(7, "off");
   options.profile = GetParam();
   const double raw = run_drift(options).position;
   options.correct = "on";
-  options.told = "30";
+  options.configured = "30";
   EXPECT_LT(run_drift(options).position, raw);
 }
 

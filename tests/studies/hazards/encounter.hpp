@@ -37,8 +37,8 @@ struct Encounter {
   bool slows = false;  ///< and is no faster than the speed limit
   Brake brake{};
   Body body;
-  std::optional<sensor::CameraIntrinsics> told{};  ///< the configured calibration, where it is wrong
-  std::vector<record::Setting> settings{};         ///< configured
+  std::optional<sensor::CameraIntrinsics> configured{};  ///< the configured calibration, where it is wrong
+  std::vector<record::Setting> settings{};               ///< configured
   Outage outage{};
 };
 

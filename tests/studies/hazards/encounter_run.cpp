@@ -64,7 +64,7 @@ History run_encounter(const Encounter& encounter, Listener& listener) {
   history.end = encounter.seconds;
   Progress progress(encounter, listener);
   Truth truth(encounter);
-  const std::string told = encounter.told ? line_of(*encounter.told) : "";
+  const std::string configured = encounter.configured ? line_of(*encounter.configured) : "";
   host::Driven driven;
   driven.duration = encounter.seconds;
   driven.pose = [&](double t) {
@@ -81,7 +81,7 @@ History run_encounter(const Encounter& encounter, Listener& listener) {
   const auto hear = [&](std::string_view sent) {
     const std::string_view line = wire.carry(sent);
     if (line.empty()) return;
-    listener.hear(!told.empty() && line.starts_with("$FPCAM,") ? std::string_view(told) : line);
+    listener.hear(!configured.empty() && line.starts_with("$FPCAM,") ? std::string_view(configured) : line);
   };
   const auto watch = [&](const host::FrameTruth& frame) {
     for (std::size_t o = 0; o < history.shown.size(); ++o) {

@@ -87,8 +87,8 @@ TEST(EncounterRun, TheRobotHearsTheCalibrationThatItIsTold) {
   Encounter met = towards_a_box();
   Script plain({});
   run_encounter(met, plain);
-  met.told = met.scene.camera;
-  met.told->fx = base::Pixels2::nearest(300);
+  met.configured = met.scene.camera;
+  met.configured->fx = base::Pixels2::nearest(300);
   Script misled({});
   run_encounter(met, misled);
   EXPECT_NE(misled.heard.find(",300.00,"), std::string::npos);

@@ -69,8 +69,8 @@ can_wheels::Mapping can_mapping() {
 }  // namespace
 
 StormBench::StormBench(const Plan& plan) : plan_(plan), world_(laps_of(plan), plan.seed, kWorldBegins) {
-  const emulate::Colours colours = [&told = plan.told](std::uint8_t id) -> std::optional<sensor::Rgb> {
-    for (const record::Signature& signature : told.signatures) {
+  const emulate::Colours colours = [&configured = plan.configured](std::uint8_t id) -> std::optional<sensor::Rgb> {
+    for (const record::Signature& signature : configured.signatures) {
       if (signature.signature == id) return signature.rgb;
     }
     return std::nullopt;
@@ -82,7 +82,7 @@ StormBench::StormBench(const Plan& plan) : plan_(plan), world_(laps_of(plan), pl
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     emulate::EmulatedDevice device = devices::emulated(spec_of(names.at(i), Use::kEmulated));
     if (i == index(Cable::kCamera)) put_on_link(device, plan);
-    ends_.at(i).device.emplace(device, colours, plan.told.camera, plan.seed + i, base::Time{});
+    ends_.at(i).device.emplace(device, colours, plan.configured.camera, plan.seed + i, base::Time{});
     if (i == index(Cable::kCamera) && plan.link == host::PlaceKind::kUsb) ends_.at(i).device->live_on_cable();
     ends_.at(i).device->wires = plan.wires;
     sockets_.plug_in(places.at(i), *ends_.at(i).device);
@@ -92,8 +92,8 @@ StormBench::StormBench(const Plan& plan) : plan_(plan), world_(laps_of(plan), pl
 
 host::Devices StormBench::open_devices() {
   host::RobotFile robot;
-  robot.camera.mount = plan_.told.camera.mount;
-  robot.signatures = plan_.told.signatures;
+  robot.camera.mount = plan_.configured.camera.mount;
+  robot.signatures = plan_.configured.signatures;
   for (const record::Signature& signature : robot.signatures) {
     robot.windows.push_back(config::window_around(signature));
   }

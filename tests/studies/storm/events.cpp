@@ -128,7 +128,7 @@ class Maker {
         event.length = chance_.whole(10, 2'000);
         if (chance_.one_in(5)) break;  // nothing is being written
         for (std::int64_t n = chance_.whole(1, 4); n > 0; --n) event.text += setting(chance_);
-        for (const std::string& line : choice_.told) {
+        for (const std::string& line : choice_.configured) {
           if (chance_.one_in(4)) event.text += line;
         }
         // A line is kept as some more characters than were typed, of which a word is four.

@@ -40,11 +40,11 @@ struct Event {
 std::string describe(const Event& event);
 
 struct EventChoice {
-  std::int64_t milliseconds = 0;    ///< of the run
-  bool console_is_log = false;      ///< whatever the console loses is lost to the log: it is slow and stands, no more
-  bool disk = false;                ///< there is one that may fail
-  bool flash = false;               ///< power may go
-  std::vector<std::string> told{};  ///< lines that may be typed then, beside settings: a calibration, a colour
+  std::int64_t milliseconds = 0;  ///< of the run
+  bool console_is_log = false;    ///< whatever the console loses is lost to the log: it is slow and stands, no more
+  bool disk = false;              ///< there is one that may fail
+  bool flash = false;             ///< power may go
+  std::vector<std::string> configured{};  ///< lines that may be typed then, beside settings: a calibration, a colour
 };
 /// In order of time.
 std::vector<Event> random_events(Chance& chance, const EventChoice& choice);

@@ -22,14 +22,14 @@ std::vector<config::Key> changed(const Kept& one, const Kept& other) {
   return keys;
 }
 
-std::string differences(const Kept& restored, const Kept& told) {
+std::string differences(const Kept& restored, const Kept& configured) {
   std::string text;
-  for (const config::Key key : changed(restored, told)) {
+  for (const config::Key key : changed(restored, configured)) {
     text += " " + std::string(config::info(key).name) + " " + std::string(restored.settings.text(key).view()) +
-            " for " + std::string(told.settings.text(key).view()) + ",";
+            " for " + std::string(configured.settings.text(key).view()) + ",";
   }
-  if (!(restored.camera == told.camera)) text += " another calibration,";
-  if (restored.signatures != told.signatures) text += " other signatures,";
+  if (!(restored.camera == configured.camera)) text += " another calibration,";
+  if (restored.signatures != configured.signatures) text += " other signatures,";
   text.pop_back();
   return text;
 }

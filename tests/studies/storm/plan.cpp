@@ -100,10 +100,10 @@ sensor::CameraMount random_mount(Chance& chance) {
 }
 
 /// The camera mounted a little elsewhere, and another name.
-std::vector<std::string> told_anew(const Kept& told) {
-  sensor::CameraIntrinsics camera = told.camera;
+std::vector<std::string> configured_anew(const Kept& configured) {
+  sensor::CameraIntrinsics camera = configured.camera;
   camera.mount.x = base::Metres::nearest(camera.mount.x.to_double() + 0.003);
-  record::Signature signature = told.signatures.front();
+  record::Signature signature = configured.signatures.front();
   signature.name = "named new";
   return {line_of(camera), line_of(signature)};
 }
@@ -142,9 +142,9 @@ Plan plan_of(std::uint64_t seed, double minutes) {
                                       console::Mode::kQuiet};
   if (!plan.console_is_log()) plan.mode = chance.of(kModes);
   const emulate::ImageLimits& limits = *(*camera.emulated)->image;
-  plan.told.camera = *devices::nominal_camera(camera);
-  plan.told.camera.mount = random_mount(chance);
-  plan.told.signatures = random_signatures(chance, limits, kVariants[plan.variant].profile);
+  plan.configured.camera = *devices::nominal_camera(camera);
+  plan.configured.camera.mount = random_mount(chance);
+  plan.configured.signatures = random_signatures(chance, limits, kVariants[plan.variant].profile);
   plan.clock = random_clock(chance);
   constexpr std::int64_t kTurns[] = {1, 2, 5, 10};
   plan.turn_ms = chance.of(kTurns);
@@ -153,10 +153,10 @@ Plan plan_of(std::uint64_t seed, double minutes) {
   constexpr double kRates[] = {4, 8, 10, 12, 15, 20, 25};
   const double rate = std::min(chance.of(kRates), limits.max_rate);
   for (std::int64_t i = chance.whole(1, 3); i > 0; --i) {
-    plan.laps.push_back(random_lap(chance, {plan.told.camera, rate, plan.told.signatures}));
+    plan.laps.push_back(random_lap(chance, {plan.configured.camera, rate, plan.configured.signatures}));
   }
-  plan.events = random_events(
-      chance, {plan.milliseconds, plan.console_is_log(), plan.disk(), plan.console_is_log(), told_anew(plan.told)});
+  plan.events = random_events(chance, {plan.milliseconds, plan.console_is_log(), plan.disk(), plan.console_is_log(),
+                                       configured_anew(plan.configured)});
   return plan;
 }
 

@@ -24,7 +24,7 @@ struct Plan {
   std::uint32_t baud = 0;                        ///< of its serial line; 0: as delivered
   std::string wheels;
   console::Mode mode = console::Mode::kLog;
-  Kept told;
+  Kept configured;
   base::Time clock;          ///< the robot's, when it is switched on
   std::int64_t turn_ms = 1;  ///< the longest turn of the loop
   double console_speed = 0;  ///< bytes a millisecond

@@ -64,14 +64,14 @@ class ProfileRobot final : public StormRobot {
       loop_.pipeline().reporter().say([&](std::span<char> room) { return image::write_boot_line(n, facts, room); });
     }
   }
-  void tell(const Kept& told) override {
-    loop_.pipeline().set_camera(told.camera);
-    for (const record::Signature& signature : told.signatures) {
+  void tell(const Kept& configured) override {
+    loop_.pipeline().set_camera(configured.camera);
+    for (const record::Signature& signature : configured.signatures) {
       static_cast<void>(loop_.pipeline().set_signature(signature));
     }
     for (std::size_t i = 0; i < config::kKeys; ++i) {
       const auto key = static_cast<config::Key>(i);
-      static_cast<void>(loop_.pipeline().set(config::info(key).name, told.settings.text(key).view()));
+      static_cast<void>(loop_.pipeline().set(config::info(key).name, configured.settings.text(key).view()));
     }
   }
   void turn(base::Time now) override {

@@ -50,7 +50,7 @@ class StormRobot {
   /// Switches it on: the configuration in flash comes into force, over the camera that it is delivered with.
   virtual void start(const sensor::CameraIntrinsics& delivered) = 0;
   /// Somebody configures it once; that goes to flash with the next turns.
-  virtual void tell(const Kept& told) = 0;
+  virtual void tell(const Kept& configured) = 0;
   virtual void turn(base::Time now) = 0;
   /// In this turn it looked for a new configuration, and wrote it to flash.
   [[nodiscard]] virtual bool looked() const = 0;

@@ -34,7 +34,7 @@ class Storm {
     if (plan.disk()) disk_.emplace();
     switch_on(plan.clock);
     flash_check_.begin(robot_->kept());
-    robot_->tell(plan.told);
+    robot_->tell(plan.configured);
   }
 
   RunOutcome go() {
@@ -62,7 +62,7 @@ class Storm {
     patient_.tend(robot_now());
     devices_ = bench_.open_devices();
     robot_ = make_robot(plan_.variant, {*devices_.camera, *devices_.odometry, patient_, flash_}, plan_.mode);
-    sensor::CameraIntrinsics delivered = plan_.told.camera;
+    sensor::CameraIntrinsics delivered = plan_.configured.camera;
     delivered.mount = {};
     robot_->start(delivered);
     watch_.begin(robot_now());

@@ -58,7 +58,7 @@ host::ObjectEvaluation follow(const Tour& tour, std::size_t truth) {
     }
     object->track(sighting.left.end, sighting.right.end, t);
     object->model(sighting, {});
-    if (object->hybrid().news) solver.solve(object->hybrid());
+    if (object->hybrid().new_weight) solver.solve(object->hybrid());
     if (!std::binary_search(kTableViews.begin(), kTableViews.end(), object->views)) continue;
     result.cuts.push_back(host::cut_of(describe(*object), scene_object.footprint, false));
   }

@@ -102,12 +102,12 @@ void count_objects(const host::Evaluation& evaluation, const host::Scene& truth,
     if (!parked.contains(phantom.signature)) ++score.moving;
 }
 
-void run_drive(const std::string& folder, const KittiTold& told,
+void run_drive(const std::string& folder, const KittiConfigured& configured,
                const std::vector<std::pair<std::string, std::string>>& settings, KittiScore& score) {
   host::KittiOptions options;
-  options.pitch = told.pitch;
-  options.identity = told.identity && !told.detector;
-  if (told.detector) options.detections = folder + "/detections_car.txt";
+  options.pitch = configured.pitch;
+  options.identity = configured.identity && !configured.detector;
+  if (configured.detector) options.detections = folder + "/detections_car.txt";
   const host::ImportResult imported = host::import_kitti(folder, options);
   if (!imported.ok()) throw std::runtime_error(imported.error().message());
   std::string log = imported->log;
@@ -135,10 +135,10 @@ std::vector<std::string> kitti_drives(const std::string& folder) {
   return drives;
 }
 
-KittiScore run_kitti(const std::vector<std::string>& drives, const KittiTold& told,
+KittiScore run_kitti(const std::vector<std::string>& drives, const KittiConfigured& configured,
                      const std::vector<std::pair<std::string, std::string>>& settings) {
   KittiScore score;
-  for (const std::string& drive : drives) run_drive(drive, told, settings, score);
+  for (const std::string& drive : drives) run_drive(drive, configured, settings, score);
   return score;
 }
 

@@ -9,7 +9,7 @@
 
 namespace fencepost::test {
 
-struct KittiTold {
+struct KittiConfigured {
   std::optional<double> pitch;  ///< rad, configured; empty: unknown
   bool identity = true;         ///< a signature for each car
   bool detector = false;        ///< a detector's boxes in place of the labelled ones
@@ -34,7 +34,7 @@ struct KittiScore {
 std::vector<std::string> kitti_drives(const std::string& folder);
 
 /// Throws std::runtime_error if a drive cannot be read.
-KittiScore run_kitti(const std::vector<std::string>& drives, const KittiTold& told,
+KittiScore run_kitti(const std::vector<std::string>& drives, const KittiConfigured& configured,
                      const std::vector<std::pair<std::string, std::string>>& settings);
 
 }  // namespace fencepost::test

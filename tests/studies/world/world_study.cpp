@@ -42,13 +42,13 @@ constexpr double kLost = 2;
 
 struct KittiRow {
   const char* what;
-  KittiTold told{};
+  KittiConfigured configured{};
 };
 
 std::string row_of(const KittiRow& row, const std::string& correct, const KittiScore& score) {
   const auto lost = std::ranges::count_if(score.end_error, [](double error) { return error > kLost; });
   const double ten_minutes = score.seconds / 600;
-  const std::string moving = row.told.identity ? fmt::format(" ({} moving)", score.moving) : "";
+  const std::string moving = row.configured.identity ? fmt::format(" ({} moving)", score.moving) : "";
   return fmt::format("| {} | {} | {} of {} | {}{} | {} of {} | {:.1f} m | {} / {} % | {:.1f} | {:.1f} |\n", row.what,
                      correct, score.found, score.found + score.missed, score.phantoms, moving, lost, score.drives,
                      std::ranges::max(score.end_error), median_percent(score.recklessness),
@@ -77,7 +77,7 @@ void measure_kitti(const Request& request) {
   for (const KittiRow& row : rows) {
     if (std::string_view(row.what).find(request.only) == std::string_view::npos) continue;
     for (const std::string& correct : request.correct)
-      print(row_of(row, correct, run_kitti(drives, row.told, request.settings_with(correct))));
+      print(row_of(row, correct, run_kitti(drives, row.configured, request.settings_with(correct))));
   }
 }
 

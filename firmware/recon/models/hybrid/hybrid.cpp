@@ -33,8 +33,8 @@ bool outgrows(const HybridCore& core, const OutlineView& outline, const Tangent&
   return tangent.line.bound > reach + kOutgrown + tangent.sigma;
 }
 
-// The weight of a view in 1 / kWholeNews, at least one.
-int news_of(float novelty) { return std::max(1, static_cast<int>(kWholeNews * novelty + 0.5F)); }
+// The weight of a view in 1 / kWholeView, at least one.
+int weight_of(float novelty) { return std::max(1, static_cast<int>(kWholeView * novelty + 0.5F)); }
 
 // Lower bounds that exceed the current outline.
 unsigned outgrowing(const HybridCore& core, const OutlineView& outline, const ViewTangents& view) {
@@ -193,7 +193,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const Vec2 lens = sighting.lens_from(core.origin);
   const float distance = std::max(kNearestLens, lens.norm());
   const float moved_by = (lens - core.last_lens).norm() / (kNovelShare * distance);
-  const bool elsewhere = core.views == 0 || moved_by >= kMinNews;
+  const bool elsewhere = core.views == 0 || moved_by >= kMinNewView;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
   const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kViewsForShape, noise);
@@ -209,7 +209,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
     add_one(core, clusters, outline, {view.front.line, view.straight, false}, novelty);
   }
   core.used = static_cast<std::uint8_t>(known | edges | limits << ViewTangents::kBits);
-  core.news = static_cast<std::uint8_t>(std::min(255, core.news + news_of(novelty)));
+  core.new_weight = static_cast<std::uint8_t>(std::min(255, core.new_weight + weight_of(novelty)));
   if (!elsewhere) return;
   core.last_lens = lens;
   if (core.views < 255) ++core.views;
@@ -257,7 +257,7 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
   hash.u8(core.used);
   hash.u8(core.spread);
   hash.u8(static_cast<std::uint8_t>(core.refusal));
-  hash.u8(core.news);
+  hash.u8(core.new_weight);
   hash.u8(core.warm_fits);
   hash.u8(core.fitting ? 1 : 0);
   hash.u8(core.large ? 1 : 0);

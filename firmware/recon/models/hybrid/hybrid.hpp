@@ -41,7 +41,7 @@ struct HybridCore {
   std::uint8_t used = 0;    ///< ViewTangents::Which that were taken from there; lower bounds are higher by kBits
   std::uint8_t spread = 0;  ///< encode_sigma() of how much larger residuals are than sigmas say, m/m
   HybridRefusal refusal = HybridRefusal::kNoTangents;
-  std::uint8_t news = 0;        ///< weight of the views that no fit has begun with, in 1 / kWholeNews; 0: none
+  std::uint8_t new_weight = 0;  ///< weight of the views that no fit has begun with, in 1 / kWholeView; 0: none
   std::uint8_t warm_fits = 0;   ///< begun from the outline, since the last one that began from nothing
   bool fitting = false;         ///< a solver works on it
   bool known_well : 1 = false;  ///< OutlineView::known_well() of the outline fitted last: alerts ask in every frame

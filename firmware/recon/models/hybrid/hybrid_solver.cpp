@@ -45,7 +45,7 @@ void recentre(HybridCore& core, Clusters clusters, std::span<std::int16_t> offse
 
 template <std::size_t kSectors, std::size_t kOrder>
 void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid, float known_radius) {
-  hybrid.news = 0;
+  hybrid.new_weight = 0;
   hybrid.fitting = true;
   views_ = hybrid.views;
   low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, radius_prior(known_radius));

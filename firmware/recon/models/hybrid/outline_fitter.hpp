@@ -26,7 +26,7 @@ class OutlineFitter {
   [[gnu::noinline]] void fit(Table& table, bool due) {
     auto& objects = table.objects();
     if constexpr (Profile::kHybridSteps == 0) {
-      fit_all(objects, kWholeNews);
+      fit_all(objects, kWholeView);
     } else {
       // The object in that slot is not the one that the fit was begun with, or its models began again.
       for (const auto& event : table.events()) {
@@ -50,28 +50,28 @@ class OutlineFitter {
   using Batch = typename Profile::OutlineBatch;
 
   template <class Objects>
-  void fit_all(Objects& objects, int least_news) {
+  void fit_all(Objects& objects, int min_weight) {
     for (auto& object : objects) {
-      if (!is_due(object, least_news)) continue;
+      if (!is_due(object, min_weight)) continue;
       if constexpr (Batch::kCapacity > 0) {
         if (Batch::takes(object.hybrid())) continue;
       }
       solver_.solve(object.hybrid(), object.cylinder.known_radius());
       object.note_outline();
     }
-    if constexpr (Batch::kCapacity > 0) fit_together(objects, least_news);
+    if constexpr (Batch::kCapacity > 0) fit_together(objects, min_weight);
   }
 
   // A part of a view changes little in a well-known outline.
   template <class Object>
-  static bool is_due(const Object& object, int least_news) {
-    if (!object.used() || object.hybrid().news == 0) return false;
-    return !object.hybrid().known_well || object.hybrid().news >= least_news;
+  static bool is_due(const Object& object, int min_weight) {
+    if (!object.used() || object.hybrid().new_weight == 0) return false;
+    return !object.hybrid().known_well || object.hybrid().new_weight >= min_weight;
   }
 
   // Fits the remaining outlines with new tangents, a few at a time.
   template <class Objects>
-  static void fit_together(Objects& objects, int least_news) {
+  static void fit_together(Objects& objects, int min_weight) {
     Batch batch;
     base::FixedVector<typename Objects::value_type*, Batch::kCapacity> taken;
     const auto solve = [&] {
@@ -80,7 +80,7 @@ class OutlineFitter {
       taken.clear();
     };
     for (auto& object : objects) {
-      if (!is_due(object, least_news)) continue;
+      if (!is_due(object, min_weight)) continue;
       batch.add(object.hybrid(), object.cylinder.known_radius());
       static_cast<void>(taken.push_back(&object));
       if (taken.full()) solve();
@@ -100,7 +100,7 @@ class OutlineFitter {
   bool begin_next(Objects& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
       slot_ = static_cast<std::uint8_t>(slot_ + 1U < objects.size() ? slot_ + 1U : 0U);
-      if (!objects[slot_].used() || objects[slot_].hybrid().news == 0) continue;
+      if (!objects[slot_].used() || objects[slot_].hybrid().new_weight == 0) continue;
       solver_.begin_warm(objects[slot_].hybrid(), objects[slot_].cylinder.known_radius());
       return true;
     }

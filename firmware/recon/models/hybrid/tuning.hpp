@@ -15,7 +15,7 @@ namespace fencepost::recon {
 // --- views (hybrid, tangent) ---
 
 /// Minimum move of the lens for a view to count as new, as a share of a whole view's (kNovelShare). By design.
-inline constexpr float kMinNews = 0.25F;
+inline constexpr float kMinNewView = 0.25F;
 /// share of its width that a piece has which a segment loses. Prototype.
 inline constexpr float kLostShare = 0.3F;
 /// Probability of that. Before kViewsForShape views nothing outvotes it, so it goes into the sigma of the edges.
@@ -138,8 +138,8 @@ inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
-/// Parts of a whole view in which the weight of new views is counted. By design: a view has at least kMinNews.
-inline constexpr int kWholeNews = 32;
+/// Parts of a whole view in which the weight of new views is counted. By design: a view has at least kMinNewView.
+inline constexpr int kWholeView = 32;
 /// Passes of a warm fit, the last ones of series and of support: it begins from the outline that is there. More:
 /// outlines of boards are older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2,
 /// seeds 71001 to 71030.

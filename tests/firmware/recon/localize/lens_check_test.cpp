@@ -24,17 +24,17 @@ constexpr double kTurn = 2 * std::numbers::pi;
 // 20 frames a second.
 class Turner {
  public:
-  explicit Turner(double told_over_true, double heading_noise = 0.003) : noise_(0, heading_noise) {
-    sensor::CameraIntrinsics told;
-    told.width = 316;
-    told.height = 208;
-    told.fx = told.fy = base::Pixels2::nearest(told_over_true * truth_.focal);
-    told.cx = base::Pixels2::nearest(157.5);
-    told.cy = base::Pixels2::nearest(103.5);
-    told.mount.x = base::Metres::nearest(truth_.ahead);
-    told.mount.z = base::Metres::nearest(truth_.height);
-    told.mount.pitch = base::Radians{0};
-    camera_ = recon::make_camera_model(told);
+  explicit Turner(double configured_over_true, double heading_noise = 0.003) : noise_(0, heading_noise) {
+    sensor::CameraIntrinsics configured;
+    configured.width = 316;
+    configured.height = 208;
+    configured.fx = configured.fy = base::Pixels2::nearest(configured_over_true * truth_.focal);
+    configured.cx = base::Pixels2::nearest(157.5);
+    configured.cy = base::Pixels2::nearest(103.5);
+    configured.mount.x = base::Metres::nearest(truth_.ahead);
+    configured.mount.z = base::Metres::nearest(truth_.height);
+    configured.mount.pitch = base::Radians{0};
+    camera_ = recon::make_camera_model(configured);
   }
 
   void look() {
@@ -43,7 +43,8 @@ class Turner {
     ++frames_;
     recon::WaitingFrame waiting = recon::make_waiting(frame, 0);
     const auto units = [](double value, double unit) { return static_cast<std::int32_t>(std::lround(value / unit)); };
-    const recon::MapPose odometry{{units(x, 1e-5), units(y, 1e-5)}, units(told_heading() + noise_(random_), 1e-6)};
+    const recon::MapPose odometry{{units(x, 1e-5), units(y, 1e-5)},
+                                  units(configured_heading() + noise_(random_), 1e-6)};
     map->add_frame(waiting, camera_, odometry, {}, {});
   }
   // By `angle` at `rate` rad/s.
@@ -67,7 +68,7 @@ class Turner {
   double track = 1;  // of the wheels, configured over true
 
  private:
-  [[nodiscard]] double told_heading() const { return heading / track; }
+  [[nodiscard]] double configured_heading() const { return heading / track; }
 
   TrueCamera truth_{.ahead = 0.05};
   recon::CameraModel camera_;
@@ -86,23 +87,23 @@ TEST(LensCheck, SaysNothingOfATrueLensInTenMinutesOfTurning) {
       EXPECT_FALSE(robot.check().wrong()) << minute;
     }
   }
-  EXPECT_NEAR(robot.check().told_over_true(), 1, 0.03F);
+  EXPECT_NEAR(robot.check().configured_over_true(), 1, 0.03F);
 }
 
-TEST(LensCheck, FindsALensToldWrongWithinTwoFullTurns) {
-  for (const double told : {1.3, 1 / 1.3, 1.45}) {
-    Turner robot(told);
+TEST(LensCheck, FindsALensConfiguredWrongWithinTwoFullTurns) {
+  for (const double configured : {1.3, 1 / 1.3, 1.45}) {
+    Turner robot(configured);
     robot.turn(2 * kTurn);
-    EXPECT_TRUE(robot.check().wrong()) << told;
-    EXPECT_NEAR(static_cast<double>(robot.check().told_over_true()), told, 0.1 * told);
+    EXPECT_TRUE(robot.check().wrong()) << configured;
+    EXPECT_NEAR(static_cast<double>(robot.check().configured_over_true()), configured, 0.1 * configured);
   }
 }
 
 TEST(LensCheck, AFewPerCentAreNoComplaint) {
-  for (const double told : {1.08, 1 / 1.08}) {
-    Turner robot(told);
+  for (const double configured : {1.08, 1 / 1.08}) {
+    Turner robot(configured);
     for (int i = 0; i < 10; ++i) robot.turn(i % 2 == 0 ? kTurn : -kTurn);
-    EXPECT_FALSE(robot.check().wrong()) << told;
+    EXPECT_FALSE(robot.check().wrong()) << configured;
   }
 }
 
@@ -117,7 +118,7 @@ TEST(LensCheck, ARobotThatStandsLearnsNothing) {
   Turner robot(1.45);
   for (int i = 0; i < 1000; ++i) robot.look();
   EXPECT_FALSE(robot.check().wrong());
-  EXPECT_EQ(robot.check().told_over_true(), 1);
+  EXPECT_EQ(robot.check().configured_over_true(), 1);
 }
 
 TEST(LensCheck, ARobotThatDrivesStraightLearnsNothing) {
@@ -142,7 +143,7 @@ TEST(LensCheck, WhatMovesDoesNotFoolItForEver) {
   robot.moves = nullptr;
   for (int i = 0; i < 12; ++i) robot.turn(i % 2 == 0 ? kTurn : -kTurn);
   EXPECT_FALSE(robot.check().wrong());
-  EXPECT_NEAR(robot.check().told_over_true(), 1, 0.06F);
+  EXPECT_NEAR(robot.check().configured_over_true(), 1, 0.06F);
 }
 
 TEST(LensCheck, BelievesARightLensAgain) {
@@ -203,14 +204,14 @@ recon::Cylinder cylinder_ahead() {
 TEST(LensCheck, OfTurnsThatAreItsBounds) {
   Draw draw(121);
   Sweep sweep;
-  sensor::CameraIntrinsics told;
-  told.width = 316;
-  told.height = 208;
-  told.fx = told.fy = base::Pixels2::nearest(256);
-  told.cx = base::Pixels2::nearest(157.5);
-  told.cy = base::Pixels2::nearest(103.5);
-  told.mount.x = base::Metres::nearest(0.0625);
-  const recon::CameraModel camera = recon::make_camera_model(told);
+  sensor::CameraIntrinsics configured;
+  configured.width = 316;
+  configured.height = 208;
+  configured.fx = configured.fy = base::Pixels2::nearest(256);
+  configured.cx = base::Pixels2::nearest(157.5);
+  configured.cy = base::Pixels2::nearest(103.5);
+  configured.mount.x = base::Metres::nearest(0.0625);
+  const recon::CameraModel camera = recon::make_camera_model(configured);
   const recon::Cylinder cylinder = cylinder_ahead();
   ASSERT_TRUE(cylinder.estimate().ok());
   for (int run = 0; run < 60; ++run) {
@@ -254,7 +255,7 @@ TEST(LensCheck, OfTurnsThatAreItsBounds) {
       sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
       sweep.tell("wrong", check.wrong());
       sweep.tell("error", check.error().value_or(0));
-      sweep.tell("configured over true", check.told_over_true());
+      sweep.tell("configured over true", check.configured_over_true());
     }
     check.clear();
     sweep.tell("cleared", check.wrong());
@@ -266,13 +267,13 @@ TEST(LensCheck, OfTurnsThatAreItsBounds) {
 /// Looks at one object a metre ahead while the robot turns on, 0.075 rad a frame of 0.1 s.
 struct OneThing {
   OneThing() {
-    sensor::CameraIntrinsics told;
-    told.width = 316;
-    told.height = 208;
-    told.fx = told.fy = base::Pixels2::nearest(256);
-    told.cx = base::Pixels2::nearest(157.5);
-    told.cy = base::Pixels2::nearest(103.5);
-    camera = recon::make_camera_model(told);
+    sensor::CameraIntrinsics configured;
+    configured.width = 316;
+    configured.height = 208;
+    configured.fx = configured.fy = base::Pixels2::nearest(256);
+    configured.cx = base::Pixels2::nearest(157.5);
+    configured.cy = base::Pixels2::nearest(103.5);
+    camera = recon::make_camera_model(configured);
     recon::ObjectCore& thing = table.things[0];
     thing.id = 1;
     thing.cylinder = cylinder_ahead();
@@ -308,7 +309,7 @@ TEST(LensCheck, WhatTheRobotHasPassedTellsNothing) {
                                  static_cast<std::int32_t>(250'000 * (heading - heading * heading * heading / 6))};
     }
     robot.look(195);
-    EXPECT_EQ(robot.check.told_over_true() == 1, passed);
+    EXPECT_EQ(robot.check.configured_over_true() == 1, passed);
   }
 }
 
@@ -319,7 +320,7 @@ TEST(LensCheck, StaysSureAfterHundredsOfSamples) {
     robot.look(157 + 16 * (i % 6), i % 6 != 5);  // 16 columns where 19 would be right
     if (i > 60) {
       ASSERT_TRUE(robot.check.wrong()) << i;
-      ASSERT_NEAR(robot.check.told_over_true(), 1.21F, 0.02F);
+      ASSERT_NEAR(robot.check.configured_over_true(), 1.21F, 0.02F);
     }
   }
 }

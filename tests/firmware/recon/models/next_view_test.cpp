@@ -55,15 +55,15 @@ TEST(NextView, FillsTheGap) {
   EXPECT_NEAR(std::abs(degrees(outline.next({-0.8F, 0.3F}))), 180, 16) << "the nearer one of two";
 }
 
-TEST(NextView, ALargerGapIsMoreNews) {
+TEST(NextView, ALargerGapGainsMore) {
   const NextView small = Outline<64>(all_but(64, 2, 14, 18)).next({0.8F, 0});
   const NextView large = Outline<64>(all_but(64, 2, 9, 23)).next({0.8F, 0});
-  EXPECT_GT(large.news, 1.5F * small.news);
-  EXPECT_LT(large.news, 0.5F);
+  EXPECT_GT(large.gain, 1.5F * small.gain);
+  EXPECT_LT(large.gain, 0.5F);
   EXPECT_LT(large.width, 2.5F);
 }
 
-TEST(NextView, WhereTangentsMeetInACornerThereIsNoNews) {
+TEST(NextView, WhereTangentsMeetInACornerNothingIsGained) {
   // The tangents beside the gap, and those beside them, all go through one point at 90 degrees.
   const Outline<64> round(all_but(64, 2, 11, 21));
   Outline<64> pointed = round;
@@ -72,7 +72,7 @@ TEST(NextView, WhereTangentsMeetInACornerThereIsNoNews) {
     const double direction = 2 * std::numbers::pi * static_cast<double>(node) / 64;
     pointed.offsets[node] = static_cast<std::int16_t>(std::lround(corner * std::sin(direction)));
   }
-  EXPECT_LT(pointed.next({0.8F, 0}).news, 0.5F * round.next({0.8F, 0}).news);
+  EXPECT_LT(pointed.next({0.8F, 0}).gain, 0.5F * round.next({0.8F, 0}).gain);
 }
 
 TEST(NextView, NobodyStandsInAnotherObject) {

@@ -38,8 +38,8 @@ Outcome meet(const Wrong& wrong, unsigned seed, const Conditions& conditions) {
     met.scene.objects.push_back(grey);
   }
   if (wrong.lens != 1) {
-    met.told = met.scene.camera;
-    met.told->fx = met.told->fy = base::Pixels2::nearest(wrong.lens * met.scene.camera.fx.to_double());
+    met.configured = met.scene.camera;
+    met.configured->fx = met.configured->fy = base::Pixels2::nearest(wrong.lens * met.scene.camera.fx.to_double());
   }
   drive_towards(dice, start, ahead, met);
   Outcome outcome;

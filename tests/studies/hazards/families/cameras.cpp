@@ -46,8 +46,8 @@ Outcome meet(const Error& error, unsigned seed, const Conditions& conditions) {
     met.scene.objects.push_back(random_block(dice, way, dice.between(1.05, 1.4), dice.between(-0.05, 0.05)));
   }
   if (error.lens != 1) {
-    met.told = met.scene.camera;
-    met.told->fx = met.told->fy = base::Pixels2::nearest(error.lens * met.scene.camera.fx.to_double());
+    met.configured = met.scene.camera;
+    met.configured->fx = met.configured->fy = base::Pixels2::nearest(error.lens * met.scene.camera.fx.to_double());
   }
   met.route = look_around(dice, start);
   met.seconds = kSeconds;

@@ -60,7 +60,7 @@ struct Filter {
     if (!begun) hybrid.begin(sighting);
     begun = true;
     hybrid.add(sighting, {});
-    if (hybrid.news) solver.solve(hybrid);
+    if (hybrid.new_weight) solver.solve(hybrid);
   }
   void see(const host::LinearRing& footprint, const std::vector<host::Point>& lenses) {
     for (const host::Point& lens : lenses) see(view_of(footprint, lens).sighting);
@@ -101,7 +101,7 @@ void expect_same(const HybridType& a, const HybridType& b) {
   EXPECT_EQ(a.used, b.used);
   EXPECT_EQ(a.spread, b.spread);
   EXPECT_EQ(a.refusal, b.refusal);
-  EXPECT_EQ(a.news, b.news);
+  EXPECT_EQ(a.new_weight, b.new_weight);
   EXPECT_EQ(a.fitting, b.fitting);
   EXPECT_EQ(a.offsets, b.offsets);
   EXPECT_EQ(a.sigmas, b.sigmas);
@@ -303,7 +303,7 @@ TEST(HybridProperties, AParkedRobotTakesWhatItTurnsTo) {
   filter.see(half);
   EXPECT_EQ(filter.hybrid.used, ViewTangents::kRight | ViewTangents::kLeft << ViewTangents::kBits);
   filter.see(half);
-  EXPECT_FALSE(filter.hybrid.news);
+  EXPECT_FALSE(filter.hybrid.new_weight);
   filter.see(view_of(footprint, {1, 0}).sighting);
   EXPECT_EQ(filter.hybrid.used & (ViewTangents::kRight | ViewTangents::kLeft),
             ViewTangents::kRight | ViewTangents::kLeft);
@@ -405,25 +405,25 @@ void expect_warm_fits_follow_whole_ones(double most_off) {
   filter.see(footprint, {lenses.begin(), lenses.begin() + 30});
   filter.hybrid.add(view_of(footprint, lenses[30]).sighting, {});
   filter.hybrid.add(view_of(footprint, lenses[31]).sighting, {});
-  const auto with_news = filter.hybrid;
+  const auto with_new_view = filter.hybrid;
   const auto steps_of = [&](auto& hybrid, bool warm) {
     warm ? filter.solver.begin_warm(hybrid) : filter.solver.begin(hybrid);
     EXPECT_TRUE(hybrid.fitting);
-    EXPECT_EQ(hybrid.news, 0);
+    EXPECT_EQ(hybrid.new_weight, 0);
     int steps = 1;
     while (!filter.solver.step(hybrid)) ++steps;
     return steps;
   };
-  auto whole = with_news;
-  auto warm = with_news;
+  auto whole = with_new_view;
+  auto warm = with_new_view;
   const int steps = steps_of(whole, false);
   EXPECT_LT(steps_of(warm, true), steps / 2);
   EXPECT_EQ(warm.warm_fits, 1);
-  EXPECT_NE(warm.offsets, with_news.offsets);
+  EXPECT_NE(warm.offsets, with_new_view.offsets);
   EXPECT_LT(worst_offset(whole, footprint), most_off);
   EXPECT_LT(worst_offset(warm, footprint), most_off);
 
-  auto eighth = with_news;
+  auto eighth = with_new_view;
   eighth.warm_fits = kWholeFitEvery - 1;
   EXPECT_EQ(steps_of(eighth, true), steps);
   EXPECT_EQ(eighth.warm_fits, 0);
@@ -443,21 +443,21 @@ TEST(HybridSolver, BeginsFromNothingWhileViewsAreFew) {
 }
 
 // A view from somewhere else counts whole, one from a third of a whole view's way in part; a fit has them all.
-TEST(Hybrid, CountsNewsByTheWeightOfViews) {
+TEST(Hybrid, CountsNewViewsByTheirWeight) {
   const host::LinearRing footprint = box(0.20, 0.12);
   WideFilter filter;
   filter.see(footprint, circle({0, 0}, 0.9, 12));
-  EXPECT_EQ(filter.hybrid.news, 0);
+  EXPECT_EQ(filter.hybrid.new_weight, 0);
   // From the last of the circle, at 0.3 - 30 degrees.
   const double last = 0.3 - kPi / 6;
   const double part = 0.35 * static_cast<double>(kNovelShare);
   const auto lens = [&](double turn) { return host::Point{0.9 * std::cos(last + turn), 0.9 * std::sin(last + turn)}; };
   filter.hybrid.add(view_of(footprint, lens(part)).sighting, {});
-  EXPECT_NEAR(filter.hybrid.news, 0.35 * kWholeNews, 2);
+  EXPECT_NEAR(filter.hybrid.new_weight, 0.35 * kWholeView, 2);
   filter.hybrid.add(view_of(footprint, lens(2 * part)).sighting, {});
-  EXPECT_NEAR(filter.hybrid.news, 0.7 * kWholeNews, 3);
+  EXPECT_NEAR(filter.hybrid.new_weight, 0.7 * kWholeView, 3);
   filter.hybrid.add(view_of(footprint, lens(2)).sighting, {});
-  EXPECT_NEAR(filter.hybrid.news, 1.7 * kWholeNews, 3);
+  EXPECT_NEAR(filter.hybrid.new_weight, 1.7 * kWholeView, 3);
 }
 
 // Wild tangents, thousands of them: every number stays finite and in range.
@@ -520,9 +520,9 @@ void tell_hybrid(Draw& draw, Sweep& sweep) {
     const Sighting sighting = lattice_sighting(draw);
     if (look == 0) hybrid->begin(sighting);
     hybrid->add(sighting, {});
-    sweep.tell("news", hybrid->news);
+    sweep.tell("new weight", hybrid->new_weight);
     sweep.tell("guess", guessed_middle(sighting).x() + 4 * guessed_middle(sighting).y());
-    if (hybrid->news && !draw.one_in(3)) solver->solve(*hybrid);
+    if (hybrid->new_weight && !draw.one_in(3)) solver->solve(*hybrid);
     for (std::size_t part = 0; part < HybridType::kHashParts; ++part) {
       base::Fnv1a64 hash;
       hybrid->hash(hash, part);
@@ -555,7 +555,7 @@ TEST(Hybrid, OfViewsFromALattice) {
     tell_hybrid<Wide, WideSolver>(draw, sweep);
     tell_hybrid<Narrow, NarrowSolver>(draw, sweep);
   }
-  expect_said(sweep, {"news 754 3fbbcfe7", "guess 840 4c874e98", "digest 1680 1ac9eaaf", "refusal 65 a82e9db0",
+  expect_said(sweep, {"new weight 754 3fbbcfe7", "guess 840 4c874e98", "digest 1680 1ac9eaaf", "refusal 65 a82e9db0",
                       "contradict 390 519a01ea", "confidence 695 30cf2177", "distance 775 02013625",
                       "nearest 756 ff78d823", "chord 775 1f83fa36", "vertices 769 8aae4df2", "vertex 24403 2d61b708"});
 }
