@@ -92,8 +92,8 @@ inline constexpr float kLongTails = 3.0F;
 
 /// m/sqrt(m) for each share by which distances of odometry are off: sigma of the position. Drift study.
 inline constexpr float kDriftPosition = 0.4F;
-/// rad/sqrt(m) for the same share: sigma of the heading. With 3 % a robot turns 2 degrees a metre by itself. Turning,
-/// in rad/sqrt(rad), is off by the share itself. Drift study.
+/// rad/sqrt(m) for the same share: sigma of the heading. At 3 % it is 1.2 degrees after a metre. Turning, in
+/// rad/sqrt(rad), is off by the share itself. Drift study.
 inline constexpr float kDriftHeading = 0.67F;
 /// rad, sigma of a corrected heading for the models: what is left of its error. Prototype.
 inline constexpr float kCorrectedHeading = 0.0105F;
