@@ -57,7 +57,7 @@ class Map {
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
     matcher_.observe(frame, camera, table_.objects());
     matcher_.tell_widths(width_of);
-    outcome.matched = matcher_.match();
+    outcome.matched = matcher_.match(table_.ids().cost());
     const MapPose pose = correction_.correct(driven, table_.objects(), matcher_, camera, noise);
     if (pose != driven) lens = lens_pose(pose, camera);
     table_.update(matcher_, camera, lens, outcome);
@@ -119,6 +119,7 @@ class Map {
     }
     const ObjectType& turn = slots()[frames_ % kObjects];
     if (turn.used()) turn.hash_part(hash, frames_ / kObjects % ObjectType::kHashParts);
+    table_.ids().hash(hash);
     hash_standing(hash, standing_);
     hash_guard(hash, guard_, frames_);
     lens_check_.hash(hash, frames_);

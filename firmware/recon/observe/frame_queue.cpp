@@ -9,7 +9,8 @@ bool comes_before(const WaitingBlob& a, const WaitingBlob& b) {
   if (a.box.y1 != b.box.y1) return a.box.y1 < b.box.y1;
   if (a.box.x2 != b.box.x2) return a.box.x2 < b.box.x2;
   if (a.box.y2 != b.box.y2) return a.box.y2 < b.box.y2;
-  return a.bearing < b.bearing;
+  if (a.bearing != b.bearing) return a.bearing < b.bearing;
+  return a.track < b.track;
 }
 
 }  // namespace
@@ -31,7 +32,9 @@ WaitingFrame make_waiting(const sensor::BlobFrame& frame, std::uint8_t camera) {
   waiting.camera = camera;
   for (const sensor::Blob& blob : frame.blobs) {
     const Box box{blob.x1, blob.y1, blob.x2, blob.y2};
-    static_cast<void>(waiting.blobs.push_back({box, blob.signature, false, blob.bearing}));
+    WaitingBlob kept{box, blob.signature, false, blob.bearing};
+    if (blob.track != 0) kept.track = (1 + (blob.track - 1) % kMaxTrack) & kMaxTrack;
+    static_cast<void>(waiting.blobs.push_back(kept));
   }
   put_in_order(waiting);
   return waiting;

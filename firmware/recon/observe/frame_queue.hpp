@@ -12,15 +12,21 @@
 
 namespace fencepost::recon {
 
+/// Ids of a camera that tracks are kept in six bits: 1 to this, 0 for none. Ids that differ by a multiple of it, which
+/// are seldom in one image, are then the same.
+inline constexpr std::uint16_t kMaxTrack = 63;
+
 /// The part of a blob that reconstruction needs, 10 bytes.
 struct WaitingBlob {
   Box box;
   std::uint8_t signature = 0;
-  bool moves : 1 = false;    ///< by itself; found by looming, not reported by the camera
-  bool bearing : 1 = false;  ///< see sensor::Blob: the box has no width and no foot
+  bool moves : 1 = false;      ///< by itself; found by looming, not reported by the camera
+  bool bearing : 1 = false;    ///< see sensor::Blob: the box has no width and no foot
+  std::uint8_t track : 6 = 0;  ///< see sensor::Blob
 };
 
-/// Blobs are in canonical order (signature, x1, y1, x2, y2): the order in which a camera lists them never matters.
+/// Blobs are in canonical order (signature, x1, y1, x2, y2, track): the order in which a camera lists them never
+/// matters.
 struct WaitingFrame {
   base::Time t;
   std::uint32_t frame = 0;

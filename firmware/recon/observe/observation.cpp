@@ -38,10 +38,13 @@ void observe(std::span<const WaitingBlob> blobs, const CameraModel& camera, Obse
   observations.clear();
   for (std::size_t b = 0; b < blobs.size(); ++b) {
     if (blobs[b].bearing) {
-      static_cast<void>(observations.push_back(observe_bearing(camera, blobs[b].box, blobs[b].signature)));
+      Observation bearing = observe_bearing(camera, blobs[b].box, blobs[b].signature);
+      bearing.track = blobs[b].track;
+      static_cast<void>(observations.push_back(bearing));
       continue;
     }
     Observation observation = observe_alone(camera, blobs[b].box, blobs[b].signature);
+    observation.track = blobs[b].track;
     const Sides hidden = hidden_sides(blobs, b, camera.rows);
     const Sides beside = hidden_sides(blobs, b, camera.rows, kBesidePixels);
     const Sides border = near_border(blobs[b].box, camera.width);

@@ -24,8 +24,9 @@ constexpr bool is_edge(End end) { return end == End::kSeen || end == End::kAmbig
 struct Observation {
   Box box;  ///< px, as the camera sent it
   std::uint8_t signature = 0;
-  bool moves : 1 = false;    ///< by itself, see WaitingBlob
-  bool bearing : 1 = false;  ///< of the middle alone: all four ends are kOccluded
+  bool moves : 1 = false;      ///< by itself, see WaitingBlob
+  bool bearing : 1 = false;    ///< of the middle alone: all four ends are kOccluded
+  std::uint8_t track : 6 = 0;  ///< id of a camera that tracks, see WaitingBlob; 0: none
   End left = End::kLowerBound;
   End right = End::kLowerBound;
   End top = End::kLowerBound;

@@ -99,6 +99,12 @@ std::uint8_t match_cost(const Prediction& prediction, const Observation& seen) {
   return static_cast<std::uint8_t>(kCostScale / kBoxSides * cost);
 }
 
+std::uint8_t cost_with_ids(std::uint8_t cost, std::uint8_t last_track, std::uint8_t track, std::uint8_t id_cost) {
+  if (track == 0 || last_track == 0 || cost == kImpossible) return cost;
+  if (track == last_track) return static_cast<std::uint8_t>(cost - std::min(cost, id_cost));
+  return static_cast<std::uint8_t>(std::min(cost + id_cost, kImpossible - 1));
+}
+
 bool covers(const Prediction& prediction, const Observation& seen) {
   return prediction.depth > 0 && seen.left_column > prediction.left.at - reach_of(prediction.left) &&
          seen.right_column < prediction.right.at + reach_of(prediction.right);

@@ -6,6 +6,8 @@
 #include "firmware/recon/observe/observation.hpp"
 #include "firmware/recon/track/assignment.hpp"
 #include "firmware/recon/track/prediction.hpp"
+#include "firmware/recon/track/tuning.hpp"
+#include "hal/base/fnv1a.hpp"
 
 namespace fencepost::recon {
 
@@ -13,6 +15,42 @@ namespace fencepost::recon {
 /// the box's visible sides of the squared deviation in units of three sigmas, at most 1 a side. Place, size and shape
 /// all count in it.
 std::uint8_t match_cost(const Prediction& prediction, const Observation& seen);
+
+/// Ids of a camera that tracks as evidence, by how often they stayed with their objects so far.
+class IdEvidence {
+ public:
+  /// A blob was matched to an object that had an id a moment ago: it has the same one, or another.
+  void count(bool kept) {
+    ++(kept ? kept_ : changed_);
+    if (kept_ < kMemory && changed_ < kMemory) return;
+    kept_ = static_cast<std::uint8_t>(kept_ / 2);
+    changed_ = static_cast<std::uint8_t>((changed_ + 1) / 2);
+  }
+
+  /// Cost units by which an id speaks for a pair or against it: the log-likelihood ratio, from the odds of kept ids to
+  /// changed ones. 0 if ids change as often as not.
+  [[nodiscard]] std::uint8_t cost() const {
+    unsigned octaves = 0;
+    while (unsigned{changed_} << (octaves + 1) <= kept_) ++octaves;
+    return static_cast<std::uint8_t>(octaves * kCostOfOctave);
+  }
+
+  /// Nothing is hashed while the counts are those of the start.
+  void hash(base::Fnv1a64& hash) const {
+    if (kept_ == kIdsKept && changed_ == 1) return;
+    hash.u8(kept_);
+    hash.u8(changed_);
+  }
+
+ private:
+  static constexpr std::uint8_t kMemory = 2 * kIdsKept;  ///< of either kind, whereupon all count half
+  std::uint8_t kept_ = kIdsKept;
+  std::uint8_t changed_ = 1;
+};
+
+/// The cost of a pair with its ids, each 0 if there is none. It is less by `id_cost` if the blob has the id of the
+/// object's last sighting, and more by as much if it has another. A pair that cannot be stays so.
+std::uint8_t cost_with_ids(std::uint8_t cost, std::uint8_t last_track, std::uint8_t track, std::uint8_t id_cost);
 
 /// True if the blob lies within the predicted interval, give or take three sigmas: it may be a piece of the object.
 bool covers(const Prediction& prediction, const Observation& seen);

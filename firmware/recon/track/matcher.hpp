@@ -37,6 +37,7 @@ class Matcher {
       predictions_[o].confirmed = objects[o].confirmed;
       predictions_[o].hides = objects[o].confirmed && !objects[o].cylinder.only_bearings();
       predictions_[o].refuted = objects[o].refuted();
+      predictions_[o].last_track = objects[o].last_track;
       const bool from_here = objects[o].last_seen > stands_since && !objects[o].moving;
       predictions_[o].foot_row = from_here ? objects[o].foot_row : std::int16_t{0};
     }
@@ -67,10 +68,10 @@ class Matcher {
     for (Observation& seen : observations_) seen.width = width_of(seen.signature);
   }
 
-  /// The number of blobs that are objects known before.
-  [[gnu::noinline]] std::uint16_t match() {
+  /// The number of blobs that are objects known before. `id_cost`: see IdEvidence.
+  [[gnu::noinline]] std::uint16_t match(std::uint8_t id_cost) {
     const std::size_t blobs = observations_.size();
-    weigh_pairs();
+    weigh_pairs(id_cost);
     assign<kObjects>(costs_, {object_of_.data(), blobs});
     std::uint16_t matched = 0;
     for (std::size_t b = 0; b < blobs; ++b) {
@@ -84,12 +85,13 @@ class Matcher {
   }
 
   /// The observation of the object in this slot, which must be seen. In a blob that two objects share, the other's ends
-  /// and rows are occluded.
+  /// and rows are occluded, and the id may be the other's.
   [[nodiscard]] Observation observation_of(std::size_t o) const {
     Observation observation = observations_[blob_of_[o]];
     if (!shared_[o].any) return observation;
     (shared_[o].is_right ? observation.left : observation.right) = End::kOccluded;
     observation.top = End::kOccluded;
+    observation.track = predictions_[o].last_track & kMaxTrack;
     if (shared_[o].is_farther) observation.bottom = End::kOccluded;
     return observation;
   }
@@ -146,6 +148,8 @@ class Matcher {
   [[nodiscard]] std::span<const Observation> observations() const { return observations_.view(); }
   [[nodiscard]] std::uint8_t blob_of(std::size_t o) const { return blob_of_[o]; }
   [[nodiscard]] bool seen(std::size_t o) const { return blob_of_[o] != kNoMatch; }
+  /// True if the object's blob is another object's, too.
+  [[nodiscard]] bool shares(std::size_t o) const { return shared_[o].any; }
   [[nodiscard]] bool taken(std::size_t b) const { return object_of_[b] != kNoMatch; }
   [[nodiscard]] bool in_pieces(std::size_t o) const { return in_pieces_[o]; }
   [[nodiscard]] const Prediction& prediction(std::size_t o) const { return predictions_[o]; }
@@ -178,7 +182,7 @@ class Matcher {
     prediction.depth = 0;
   }
 
-  void weigh_pairs() {
+  void weigh_pairs(std::uint8_t id_cost) {
     const std::size_t blobs = observations_.size();
     for (std::size_t o = 0; o < kObjects; ++o) {
       for (std::size_t b = 0; b < blobs; ++b) {
@@ -188,7 +192,8 @@ class Matcher {
         const bool background = seen.no_edge() && stands_behind(seen, object);
         const bool may =
             object.possible && object.signature == seen.signature && !background && !stands_elsewhere(object, seen);
-        costs_[o * blobs + b] = may ? match_cost(object, seen) : kImpossible;
+        const std::uint8_t cost = may ? match_cost(object, seen) : kImpossible;
+        costs_[o * blobs + b] = cost_with_ids(cost, object.last_track, seen.track, id_cost);
       }
     }
   }

@@ -48,6 +48,7 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.u8(static_cast<std::uint8_t>(right_off));
   hash.u8(foot_off);
   hash.u16(static_cast<std::uint16_t>(foot_row));
+  if (last_track != 0) hash.u8(last_track);
   hash.u32(views);
   hash.i64(last_seen.raw);
   hash.u16(history.bits);

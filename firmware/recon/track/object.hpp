@@ -45,8 +45,9 @@ struct ObjectCore {
   std::uint8_t in_pieces = 0;    ///< frames in a row in which it was two blobs with nothing between them
   std::int8_t left_off = 0;  ///< frames in a row in which its left end was far off to one side; negative: to the left
   std::int8_t right_off = 0;
-  std::uint8_t foot_off = 0;  ///< frames in a row in which its foot was elsewhere although the robot is stationary
-  std::int16_t foot_row = 0;  ///< of the last sighting that was not
+  std::uint8_t foot_off = 0;    ///< frames in a row in which its foot was elsewhere although the robot is stationary
+  std::int16_t foot_row = 0;    ///< of the last sighting that was not
+  std::uint8_t last_track = 0;  ///< id of the last sighting by a camera that tracks; 0: none, or too long ago
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;

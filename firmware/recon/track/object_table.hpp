@@ -40,6 +40,7 @@ class ObjectTable {
   void clear() {
     for (ObjectType& object : objects_) object.id = 0;
     events_.clear();
+    ids_ = {};
     next_id_ = 1;
     evicted_ = 0;
   }
@@ -55,6 +56,10 @@ class ObjectTable {
     events_.clear();
     elapsed_ = std::min(exposure - exposure_, kMissedByOneFrame);
     exposure_ = exposure;
+    // A camera that lost a thing gives it another id, and its id to another thing.
+    for (ObjectType& object : objects_) {
+      if (exposure_ - object.last_seen > kMoment) object.last_track = 0;
+    }
   }
 
   /// Applies the frame's matches, from `lens`: objects seen, objects missed, and new ones.
@@ -77,6 +82,7 @@ class ObjectTable {
   [[nodiscard]] Objects& objects() { return objects_; }
   [[nodiscard]] const Objects& objects() const { return objects_; }
   [[nodiscard]] std::span<const ObjectEvent> events() const { return events_.view(); }
+  [[nodiscard]] const IdEvidence& ids() const { return ids_; }
   [[nodiscard]] base::Time exposure() const { return exposure_; }
   [[nodiscard]] std::uint32_t next_id() const { return next_id_; }
   [[nodiscard]] std::uint32_t evicted() const { return evicted_; }
@@ -106,6 +112,9 @@ class ObjectTable {
         report(EventKind::kMoved, o);
       }
       object.moving = seen.moves;
+      // In a box that two objects share, the object keeps its id: that says nothing.
+      if (seen.track != 0 && object.last_track != 0 && !matcher.shares(o)) ids_.count(seen.track == object.last_track);
+      object.last_track = seen.track;
       object.track(seen.left, seen.right, exposure_);
       object.clear = is_clear(seen.box);
       object.history.push(true);
@@ -167,6 +176,7 @@ class ObjectTable {
       object.begin(next_id_++, seen.signature, make_sighting(camera, lens, seen), exposure_);
       if (next_id_ == 0) next_id_ = 1;
       object.moving = seen.moves;
+      object.last_track = seen.track;
       object.confirmed = divided && divided->confirmed;  // a part of a confirmed object is confirmed
       object.track(seen.left, seen.right, exposure_);
       object.history.push(true);
@@ -283,6 +293,7 @@ class ObjectTable {
 
   Objects objects_{};
   ObjectEvents<kObjects> events_;
+  IdEvidence ids_;
   base::Time exposure_;  ///< of the current frame
   base::Time stands_since_;
   base::Duration elapsed_;  ///< since the frame before; at most what one frame may add to an object's missing time

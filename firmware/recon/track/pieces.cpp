@@ -100,6 +100,7 @@ void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const PieceP
   Box& joined = blobs[pair.left].box;
   const Box& other = blobs[pair.right].box;
   blobs[pair.left].moves = blobs[pair.left].moves || blobs[pair.right].moves;
+  if (blobs[pair.left].track != blobs[pair.right].track) blobs[pair.left].track = 0;
   joined.x2 = other.x2;
   joined.y1 = std::min(joined.y1, other.y1);
   joined.y2 = std::max(joined.y2, other.y2);

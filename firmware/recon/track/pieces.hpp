@@ -30,7 +30,7 @@ PiecePair find_pieces(std::span<const Observation> blobs, std::span<const Predic
 bool are_alike(const Observation& one, const Observation& other);
 
 /// Makes one box of a pair: from the left end of one to the right end of the other. Order is kept. If they are two
-/// objects after all, the joined wedge is too wide: it carves less.
+/// objects after all, the joined wedge is too wide: it carves less. Pieces with different ids are a box without one.
 void join(base::FixedVector<WaitingBlob, sensor::kMaxBlobs>& blobs, const PiecePair& pair);
 
 }  // namespace fencepost::recon

@@ -29,6 +29,7 @@ struct Prediction {
   bool refuted = false;       ///< it should have been seen and was not
   float depth = 0;            ///< m along the axis to its nearest point; 0: the distance is not known
   std::uint8_t signature = 0;
+  std::uint8_t last_track = 0;  ///< see ObjectCore
   bool confirmed = false;
   bool hides = false;     ///< confirmed, and its ends are known: it cuts things behind it
   bool divided = false;   ///< it turned out to be two objects; nothing matches it

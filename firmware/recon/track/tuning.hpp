@@ -43,6 +43,12 @@ inline constexpr float kCostOfUnknownSide = 0.5F * 0.5F;
 /// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. On which study was
 /// not kept.
 inline constexpr std::uint8_t kUnmatchedCost = 160;
+/// Ids that stay for one that changes, of a camera that tracks, before it has shown its own odds. Trackers change the
+/// id of one box in 60 to 160 (SORT on MOT17, StrongSORT on MOT16).
+inline constexpr std::uint8_t kIdsKept = 64;
+/// cost units of odds of 2 to 1. Derived: a side's cost is a normal's log-likelihood, kCostScale / 4 at the gate.
+inline constexpr auto kCostOfOctave =
+    static_cast<std::uint8_t>(0.6931F * kCostScale / (2 * kGateSigmas * kGateSigmas) + 0.5F);
 /// Ratio of depths above which models do not decide which of two is in front. By design.
 inline constexpr float kSameDepth = 0.95F;
 

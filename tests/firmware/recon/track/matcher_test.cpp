@@ -110,7 +110,7 @@ TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
     matcher->predict(things, {900}, camera, recon::lens_pose({}, camera), {}, places);
     matcher->observe(frame, camera, things);
     matcher->tell_widths([](std::uint8_t signature) { return static_cast<std::uint16_t>(10 * signature); });
-    sweep.tell("matched", matcher->match());
+    sweep.tell("matched", matcher->match(0));
     tell_matches(sweep, *matcher, things);
     if (matcher->observations().empty()) continue;
     matcher->count_as_pieces(0, static_cast<std::size_t>(draw.between(0, 5)));
