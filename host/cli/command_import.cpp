@@ -83,6 +83,7 @@ Action configure_kitti(Options command) {
   command.positional("DIR", request->set.source, "a folder with labels.txt, calib.txt and poses.txt of one drive")
       .required();
   command.flag("--identity", request->options.identity, "a signature for each car; default: one for all");
+  command.flag("--ids", request->options.ids, "the labels' tracks as ids of a camera that tracks; default: no ids");
   command
       .value("--detections", request->options.detections,
              "boxes of a detector in place of the labels: frame,x1,y1,x2,y2,score")

@@ -65,6 +65,7 @@ struct KittiOptions {
   double scale = 0.1;           ///< lengths of the log over those of the world
   std::optional<double> pitch;  ///< rad, configured; empty: unknown, rows are not used
   bool identity = false;        ///< a signature for each labelled track; else one for all cars
+  bool ids = false;             ///< labelled tracks' numbers, as a camera that tracks would give them
   std::string detections;       ///< a file of boxes in place of the labelled ones
 };
 

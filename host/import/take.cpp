@@ -65,6 +65,7 @@ sensor::BlobFrame frame_of(const TakenFrame& taken, const sensor::CameraIntrinsi
   for (const ImportedBlob& blob : taken.blobs) {
     if (const auto inside = blob_of(blob, camera)) {
       blobs.push_back(*inside);
+      blobs.back().track = blob.track;
     } else {
       ++counts.skipped["blobs outside the image"];
     }

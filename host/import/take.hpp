@@ -25,7 +25,8 @@ struct ImportedBlob {
   std::optional<double> cy;
   std::uint32_t pixels = 0;
   std::optional<sensor::Rgb> rgb;
-  bool bearing = false;  ///< no width: `cx` and `cy` have the middle, x1 and x2 mean nothing
+  std::uint16_t track = 0;  ///< id of a camera that tracks; 0: none
+  bool bearing = false;     ///< no width: `cx` and `cy` have the middle, x1 and x2 mean nothing
 };
 
 struct TakenFrame {

@@ -25,6 +25,7 @@ constexpr double kMaxTravel = 2.5;      // from the first to the last place
 constexpr std::size_t kMinLabels = 8;   // fewer say too little
 constexpr double kMinSeparation = 1.7;  // of two cars' centres: nearer, one car has two tracks
 constexpr std::size_t kSignatures = 255;
+constexpr int kIds = 65'535;
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -100,7 +101,7 @@ class KittiImport {
       if (detections.empty()) {
         add_labels(frame, made, taken);
       } else {
-        for (const KittiBox& box : detections[i]) add_box(box, 1, made);
+        for (const KittiBox& box : detections[i]) add_box(box, 1, 0, made);
       }
       taken.frames.push_back(std::move(made));
     }
@@ -122,9 +123,14 @@ class KittiImport {
     return static_cast<int>(1 + index % kSignatures);
   }
 
-  static void add_box(const KittiBox& box, int signature, TakenFrame& frame) {
+  [[nodiscard]] std::uint16_t id_of(int track) const {
+    return options_.ids ? static_cast<std::uint16_t>(1 + track % kIds) : std::uint16_t{0};
+  }
+
+  static void add_box(const KittiBox& box, int signature, std::uint16_t id, TakenFrame& frame) {
     ImportedBlob blob;
     blob.signature = signature;
+    blob.track = id;
     blob.x1 = box.x1;
     blob.y1 = box.y1;
     blob.x2 = box.x2;
@@ -139,7 +145,7 @@ class KittiImport {
       } else if (label.occluded > kMaxOccluded) {
         ++taken.skipped["labels of cars that are largely hidden"];
       } else {
-        add_box(label.box, signature_of(label.track), made);
+        add_box(label.box, signature_of(label.track), id_of(label.track), made);
       }
     }
   }
@@ -213,8 +219,9 @@ void check(const KittiOptions& options) {
   if (!(options.scale > 0 && options.scale <= 1)) {
     throw ImportProblem{"--scale", "is out of range", "allowed: more than 0, up to 1"};
   }
-  if (options.identity && !options.detections.empty()) {
-    throw ImportProblem{"--identity", "does not go with --detections", "a detector does not tell which car is which"};
+  if ((options.identity || options.ids) && !options.detections.empty()) {
+    throw ImportProblem{options.ids ? "--ids" : "--identity", "does not go with --detections",
+                        "a detector does not tell which car is which"};
   }
 }
 

@@ -1,6 +1,7 @@
 #include "host/import/mcap/mcap.hpp"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "host/import/mcap/cdr.hpp"
@@ -20,6 +21,7 @@ struct Detection {
   double y = 0;
   double width = 0;
   double height = 0;
+  std::string track;  ///< its id; empty: none
 };
 struct Detections {
   double t = 0;
@@ -62,7 +64,7 @@ std::optional<Detections> detections_in_cdr(std::string_view data) {
     static_cast<void>(cdr.real());  // its turn in the image
     detection.width = cdr.real();
     detection.height = cdr.real();
-    static_cast<void>(cdr.string());  // id of a track
+    detection.track = cdr.string();
     detections.list.push_back(detection);
   }
   return cdr.at_end() ? std::optional(detections) : std::nullopt;
@@ -88,6 +90,8 @@ double json_time(const Json& message) {
   return stamp.at("sec").get<double>() + 1e-9 * fine;
 }
 
+std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
 Detections detections_in_json(const Json& message) {
   Detections detections{json_time(message), {}};
   for (const Json& one : message.at("detections")) {
@@ -97,8 +101,7 @@ Detections detections_in_json(const Json& message) {
       const double score = hypothesis.value("score", 0.0);
       if (score <= detection.score) continue;
       detection.score = score;
-      const Json& name = hypothesis.at(hypothesis.contains("class_id") ? "class_id" : "id");
-      detection.name = name.is_string() ? name.get<std::string>() : name.dump();
+      detection.name = text_of(hypothesis.at(hypothesis.contains("class_id") ? "class_id" : "id"));
     }
     const Json& box = one.at("bbox");
     const Json& centre = box.at("center").contains("position") ? box.at("center").at("position") : box.at("center");
@@ -106,6 +109,7 @@ Detections detections_in_json(const Json& message) {
     detection.y = centre.at("y").get<double>();
     detection.width = box.at("size_x").get<double>();
     detection.height = box.at("size_y").get<double>();
+    if (const auto id = one.find("id"); id != one.end()) detection.track = text_of(*id);
     detections.list.push_back(detection);
   }
   return detections;
@@ -204,6 +208,7 @@ class McapImport {
     for (const Detection& detection : detections.list) {
       ImportedBlob blob;
       blob.signature = numbers_.try_emplace(detection.name, static_cast<int>(numbers_.size()) + 1).first->second;
+      blob.track = id_of(detection.track);
       // Continuous edges, whose pixels are centred on whole numbers.
       blob.x1 = std::round(detection.x - detection.width / 2);
       blob.x2 = std::max(blob.x1, std::round(detection.x + detection.width / 2) - 1);
@@ -219,6 +224,13 @@ class McapImport {
     taken_.frames.push_back(std::move(frame));
   }
 
+  /// Ids are any texts: numbered in order of appearance, those after the last number again from the first.
+  std::uint16_t id_of(const std::string& track) {
+    if (track.empty()) return 0;
+    const std::size_t next = tracks_.size() % std::numeric_limits<std::uint16_t>::max();
+    return tracks_.try_emplace(track, static_cast<std::uint16_t>(1 + next)).first->second;
+  }
+
   /// Bytes of messages that are imported: four hours of odometry at 100 Hz. Chunks of 4 KB can hold as many.
   static constexpr std::size_t kMaxUsed = 1'000'000'000;
 
@@ -227,6 +239,7 @@ class McapImport {
   std::size_t used_ = 0;
   std::uint64_t number_ = 0;
   std::map<std::string, int> numbers_;
+  std::map<std::string, std::uint16_t> tracks_;
   std::map<std::string, std::string> others_;  ///< topics of other kinds, with their types
   Taken taken_;
 };

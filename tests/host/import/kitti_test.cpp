@@ -58,6 +58,7 @@ TEST(ImportKitti, ADriveIsScaledAndItsCarsAreOneSignature) {
   EXPECT_EQ(van.x1, 580) << "largest first";
   const auto& car = log.frames[0].blobs[1];
   EXPECT_EQ(car.signature, 1);
+  EXPECT_EQ(car.track, 0) << "without --ids";
   EXPECT_EQ(car.x1, 700);
   EXPECT_EQ(car.x2, 761);
   EXPECT_EQ(car.y2, 221);
@@ -89,6 +90,20 @@ TEST(ImportKitti, IdentityIsASignatureForEachTrack) {
   EXPECT_EQ(log.cameras[0].mount.pitch->raw, -175);
   EXPECT_EQ(log.cameras[0].mount.z.raw, 8'250);
   EXPECT_EQ(log.odometry[9].x.raw, 45'000);
+}
+
+TEST(ImportKitti, IdsAreThoseOfTheTracks) {
+  const Files files;
+  put_drive(files);
+  KittiOptions options;
+  options.ids = true;
+  const ImportResult result = import_kitti(files.folder(), options);
+  ASSERT_TRUE(result.ok()) << result.error().message();
+  const Recorded log = read_back(result->log);
+  ASSERT_EQ(log.frames.size(), 10U);
+  for (const auto& frame : log.frames) {
+    for (const sensor::Blob& blob : frame.blobs) EXPECT_EQ(blob.track, blob.x1 == 580 ? 8 : 5);
+  }
 }
 
 TEST(ImportKitti, TruthIsWhatIsParked) {
@@ -211,6 +226,11 @@ TEST(ImportKitti, RefusesMissingFilesAndBadOptions) {
               o.identity = true;
             }),
             "--identity");
+  EXPECT_EQ(error_of([&](KittiOptions& o) {
+              o.detections = files.folder() + "/labels.txt";
+              o.ids = true;
+            }),
+            "--ids");
 }
 
 TEST(KittiData, HasParkedCars) {

@@ -472,7 +472,7 @@ std::string detections(double t, const std::vector<std::string>& classes) {
       for (int i = 0; i < 7 + 36; ++i) bytes.real(0);
     }
     for (const double v : {x, 60.0, 0.0, 20.0, 10.0}) bytes.real(v);
-    bytes.cdr_string("7");
+    bytes.cdr_string(name == "ball" ? "" : "track 7");
     x += 50;
   }
   return bytes.text;
@@ -504,6 +504,8 @@ void expect_ros(const ImportResult& result) {
   ASSERT_EQ(log.frames[0].blobs.size(), 2U);
   expect_box(log.frames[0].blobs[0], 1, 90, 55, 109, 64);
   expect_box(log.frames[0].blobs[1], 2, 140, 55, 159, 64);
+  EXPECT_EQ(log.frames[0].blobs[0].track, 1);
+  EXPECT_EQ(log.frames[0].blobs[1].track, 0);
   ASSERT_EQ(log.signatures.size(), 2U);
   EXPECT_EQ(log.signatures[0].name.view(), "cone");
   EXPECT_EQ(log.frames[1].blobs.size(), 0U);
@@ -587,6 +589,28 @@ TEST(ImportMcap, ReadsAFileThatWasCutOffAtAnyByte) {
     }
   }
   EXPECT_FALSE(import_mcap("SQLite format 3", "run.db3", {}, settings()).ok());
+}
+
+// As texts, as numbers, empty, and not at all: numbered as they appear.
+TEST(ImportMcap, NumbersTheIdsOfTracks) {
+  const auto boxes = [](const std::string& seconds, const std::vector<std::string>& ids) {
+    std::string list;
+    for (const std::string& id : ids) {
+      list += std::string(list.empty() ? "" : ",") + R"({"results":[],"bbox":{"center":{"x":)" +
+              std::to_string(100 + 20 * std::count(list.begin(), list.end(), '[')) +
+              R"(,"y":60},"size_x":10,"size_y":10})" + id + "}";
+    }
+    return R"({"header":{"stamp":{"sec":)" + seconds + R"(,"nanosec":0}},"detections":[)" + list + "]}";
+  };
+  const std::string records = channel(1, "vision_msgs/Detection2DArray", "/boxes", "json") +
+                              message(1, boxes("100", {R"(,"id":"b4")", R"(,"id":"")", ""})) +
+                              message(1, boxes("101", {R"(,"id":17)", R"(,"id":"b4")"}));
+  const Recorded log = recorded(import_mcap(file_of(records), "run.mcap", {}, settings()));
+  std::vector<int> ids;
+  for (const auto& frame : log.frames) {
+    for (const sensor::Blob& blob : frame.blobs) ids.push_back(blob.track);
+  }
+  EXPECT_EQ(ids, (std::vector<int>{1, 0, 0, 2, 1}));
 }
 
 TEST(ImportMcap, ReadsTheSameAsJson) {

@@ -107,6 +107,7 @@ void run_drive(const std::string& folder, const KittiConfigured& configured,
   host::KittiOptions options;
   options.pitch = configured.pitch;
   options.identity = configured.identity && !configured.detector;
+  options.ids = configured.ids;
   if (configured.detector) options.detections = folder + "/detections_car.txt";
   const host::ImportResult imported = host::import_kitti(folder, options);
   if (!imported.ok()) throw std::runtime_error(imported.error().message());

@@ -13,6 +13,7 @@ struct KittiConfigured {
   std::optional<double> pitch;  ///< rad, configured; empty: unknown
   bool identity = true;         ///< a signature for each car
   bool detector = false;        ///< a detector's boxes in place of the labelled ones
+  bool ids = false;             ///< the labels' tracks are ids of a camera that tracks
 };
 
 /// Totals of all drives; lengths are those of the world.

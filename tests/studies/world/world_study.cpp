@@ -69,6 +69,8 @@ void measure_kitti(const Request& request) {
                                       {"identity, pitch unknown", {}},
                                       {"one signature, pitch 0", {0.0, false}},
                                       {"one signature, pitch unknown", {std::nullopt, false}},
+                                      {"one signature with ids, pitch 0", {0.0, false, false, true}},
+                                      {"one signature with ids, pitch unknown", {std::nullopt, false, false, true}},
                                       {"detector, pitch 0", {0.0, false, true}},
                                       {"detector, pitch unknown", {std::nullopt, false, true}}};
   print(
