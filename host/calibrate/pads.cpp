@@ -15,13 +15,15 @@ std::vector<std::size_t> counts_of(const CalibrationProblem& problem, std::size_
   return counts;
 }
 
-/// Kinds of few objects become one.
+/// Kinds of few objects become one; all become one if those are still too few.
 void join_small(CalibrationProblem& problem, const std::vector<std::size_t>& counts) {
-  std::optional<std::size_t> shared;
+  const auto is_small = [&](std::size_t kind) { return counts[kind] < kMinPadObjects; };
+  const auto small = static_cast<std::size_t>(std::ranges::count_if(problem.kinds, is_small));
+  if (small == 0) return;
+  const bool all = small < kMinPadObjects;
+  const std::size_t shared = *std::ranges::find_if(problem.kinds, is_small);
   for (std::size_t& kind : problem.kinds) {
-    if (counts[kind] >= kMinPadObjects) continue;
-    if (!shared) shared = kind;
-    kind = *shared;
+    if (all || is_small(kind)) kind = shared;
   }
 }
 

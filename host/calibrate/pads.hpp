@@ -20,8 +20,8 @@ inline constexpr std::size_t kMinPadObjects = 4;
 /// As a robot takes it off: whole px, of at most 100.
 std::int8_t whole_pad(double pad);
 
-/// Frees the pads that the log is sure of and solves again with them. A signature with few objects shares its pad with
-/// the others that have few. Nothing changes where the log is sure of none.
+/// Frees the pads that the log is sure of and solves again with them. Signatures with few objects share one pad, with
+/// all others if these are too few together. Nothing changes where the log is sure of none.
 void free_pads(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix);
 
 /// The pads that are free with these options, by signature. `signatures`: the log's, whose pads were taken off before.

@@ -80,6 +80,20 @@ TEST(CalibrateCommand, FindsWhatBoxesAreTooWideAndWritesIt) {
   EXPECT_EQ(robot.at("signatures").at(0).at("pad"), 4);
 }
 
+// Four red pillars and three green ones.
+TEST(CalibrateCommand, AColourOfFewThingsSharesItsPadWithAllOthers) {
+  const Folder folder;
+  nlohmann::json scene = nlohmann::json::parse(slurp(FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.json"));
+  scene.at("noise")["edge_bias_px"] = 5;
+  spill(folder.path() / "scene.json", scene.dump());
+  const Outcome run = shell(folder, "fencepost simulate scene.json -o run.log && fencepost calibrate run.log --json");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json result = nlohmann::json::parse(run.out);
+  ASSERT_EQ(result.at("pads").size(), 2U);
+  for (const nlohmann::json& pad : result.at("pads")) EXPECT_NEAR(pad.at("found").get<double>(), 5, 0.5);
+  EXPECT_NEAR(result.at("parameters").at("pitch").at("found").get<double>(), 0, 0.2);
+}
+
 // The log's robot takes off twice what it should. The pad that is found is the whole one.
 TEST(CalibrateCommand, GoesOnFromThePadsOfTheLog) {
   const Folder folder;
