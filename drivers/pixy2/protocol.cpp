@@ -10,6 +10,7 @@ namespace fencepost::pixy2 {
 namespace {
 
 constexpr std::size_t kBlock = 14;
+constexpr std::size_t kIndex = 12;  // of the tracker, in a block
 constexpr std::size_t kVersionLength = 16;
 
 bool is(const Packet& packet, Type type, std::size_t length) {
@@ -176,6 +177,7 @@ std::optional<Blocks> blocks_in(const Packet& packet) {
     std::optional<sensor::Blob> blob = box(block);
     if (!blob || signature == 0) return std::nullopt;
     blob->signature = static_cast<std::uint8_t>(signature);
+    blob->track = static_cast<std::uint16_t>(block[kIndex] + 1);
     if (signature > 0xFF || !serial::insert_largest_first(blocks.frame, *blob)) ++blocks.dropped;
   }
   return blocks;

@@ -110,7 +110,7 @@ struct Blocks {
 /// Boxes in our convention. The camera reports the box as centre (rounded down) and size. Its columns end one past the
 /// last pixel (run lengths): x2 = left + width - 1. Its rows end with the last one (the assembler's row): y2 = top +
 /// height. The centroid is the middle of the box: the camera has no other. A colour code's signature is its octal
-/// number.
+/// number. A block's id is its tracker's index plus 1: the camera sends only blocks that a tracker has.
 /// errors: also empty if any box is outside of the image or has signature 0
 std::optional<Blocks> blocks_in(const Packet& packet);
 

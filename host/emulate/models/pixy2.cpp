@@ -1,7 +1,9 @@
 #include "host/emulate/models/pixy2.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -18,14 +20,15 @@ constexpr std::size_t kTransmitBlocks = 18;  // of the transmit buffer: the list
 unsigned width(const sensor::Blob& blob) { return static_cast<unsigned>(blob.x2 + 1 - blob.x1); }
 unsigned height(const sensor::Blob& blob) { return static_cast<unsigned>(blob.y2 - blob.y1); }
 
-void put_block(Bytes& bytes, const sensor::Blob& blob) {
-  put(bytes, blob.signature);
-  put(bytes, static_cast<unsigned>(blob.x1 + blob.x2 + 1) >> 1U);
-  put(bytes, static_cast<unsigned>(blob.y1 + blob.y2) >> 1U);
-  put(bytes, width(blob));
-  put(bytes, height(blob));
-  put(bytes, 0);  // angle: of colour codes only
-  put(bytes, 0xFF00U);
+/// How far the firmware's tracker finds two boxes apart; nothing: too far for one thing in two frames.
+std::optional<int> difference(const sensor::Blob& a, const sensor::Blob& b) {
+  constexpr int kFarthest = 65;  // px, BL_MAX_TRACKING_DIST; of the centres' distance over the root of 2
+  if (a.signature != b.signature) return std::nullopt;
+  const auto squared = [](int value) { return value * value; };
+  const int across = (a.x1 + a.x2 - b.x1 - b.x2) / 2;
+  const int down = (a.y1 + a.y2 - b.y1 - b.y2) / 2;
+  if (squared(across) + squared(down) > 2 * squared(kFarthest)) return std::nullopt;
+  return squared(a.x1 - b.x1) + squared(a.x2 - b.x2) + squared(a.y1 - b.y1) + squared(a.y2 - b.y2);
 }
 
 /// Name of a request that is acknowledged alone.
@@ -46,8 +49,43 @@ bool selected(const sensor::Blob& blob, unsigned map) {
 }  // namespace
 
 void Pixy2::show(const std::vector<sensor::Blob>& blobs) {
-  blobs_ = blobs;
+  struct Pair {
+    int difference = 0;
+    std::size_t before = 0;
+    std::size_t now = 0;
+  };
+  const std::vector<Block> before = std::exchange(blocks_, {});
+  std::vector<Pair> pairs;
+  for (std::size_t now = 0; now < blobs.size(); ++now) {
+    blocks_.push_back({blobs[now]});
+    for (std::size_t old = 0; old < before.size(); ++old) {
+      if (const auto apart = difference(before[old].blob, blobs[now])) pairs.push_back({*apart, old, now});
+    }
+  }
+  std::ranges::stable_sort(pairs, {}, &Pair::difference);
+  std::vector<bool> is_used(before.size());
+  std::vector<bool> has_index(blobs.size());
+  for (const Pair& pair : pairs) {
+    if (is_used[pair.before] || has_index[pair.now]) continue;
+    is_used[pair.before] = has_index[pair.now] = true;
+    blocks_[pair.now].index = before[pair.before].index;
+    blocks_[pair.now].age = static_cast<std::uint8_t>(std::min(before[pair.before].age + 1, 0xFF));
+  }
+  for (std::size_t now = 0; now < blobs.size(); ++now) {
+    if (!has_index[now]) blocks_[now].index = next_index_++;
+  }
   frame_is_new_ = true;
+}
+
+void Pixy2::put(Bytes& bytes, const Block& block) {
+  const sensor::Blob& blob = block.blob;
+  emulate::put(bytes, blob.signature);
+  emulate::put(bytes, static_cast<unsigned>(blob.x1 + blob.x2 + 1) >> 1U);
+  emulate::put(bytes, static_cast<unsigned>(blob.y1 + blob.y2) >> 1U);
+  emulate::put(bytes, width(blob));
+  emulate::put(bytes, height(blob));
+  emulate::put(bytes, 0);  // angle: of colour codes only
+  emulate::put(bytes, block.index | static_cast<unsigned>(block.age) << 8U);
 }
 
 void Pixy2::restart(base::Time now) {
@@ -128,23 +166,22 @@ Bytes Pixy2::answer_blocks(const Bytes& data) {
   if (data.size() != 2 || data[0] == 0) return error(-3);
   asked_ = true;
   if (!std::exchange(frame_is_new_, false)) return error(-2);
-  std::vector<sensor::Blob> list;
-  for (const sensor::Blob& blob : blobs_) {
-    if (list.size() < kTransmitBlocks && selected(blob, data[0])) list.push_back(blob);
+  std::vector<Block> list;
+  for (const Block& block : blocks_) {
+    if (list.size() < kTransmitBlocks && selected(block.blob, data[0])) list.push_back(block);
   }
-  std::stable_sort(list.begin(), list.end(), [](const sensor::Blob& a, const sensor::Blob& b) {
-    return width(a) * height(a) > width(b) * height(b);
-  });
+  const auto area = [](const Block& block) { return width(block.blob) * height(block.blob); };
+  std::ranges::stable_sort(list, std::greater(), area);
   list.resize(std::min<std::size_t>(list.size(), data[1]));
   Bytes blocks;
-  for (const sensor::Blob& blob : list) put_block(blocks, blob);
+  for (const Block& block : list) put(blocks, block);
   ++frames_sent_;
   return packet(0x21, blocks);
 }
 
 Bytes Pixy2::packet(std::uint8_t type, const Bytes& data) {
   Bytes bytes = {0xAF, 0xC1, type, static_cast<std::uint8_t>(data.size())};
-  put(bytes, std::accumulate(data.begin(), data.end(), 0U) & 0xFFFFU);
+  emulate::put(bytes, std::accumulate(data.begin(), data.end(), 0U) & 0xFFFFU);
   bytes.insert(bytes.end(), data.begin(), data.end());
   return bytes;
 }

@@ -23,7 +23,8 @@ class Pixy2 {
   /// A byte from the host; out: what the camera answers to it.
   std::vector<std::uint8_t> take(std::uint8_t byte, base::Time now);
 
-  /// A new frame: these blobs, in our convention, replace the last ones, read or not.
+  /// A new frame: these blobs, in our convention, replace the last ones, read or not. One near to a blob of the frame
+  /// before has its index.
   void show(const std::vector<sensor::Blob>& blobs);
   /// Power off and on.
   void restart(base::Time now);
@@ -41,11 +42,17 @@ class Pixy2 {
 
  private:
   using Bytes = std::vector<std::uint8_t>;
+  struct Block {
+    sensor::Blob blob;
+    std::uint8_t index = 0;  ///< of its tracker
+    std::uint8_t age = 0;    ///< frames before this one that had it
+  };
 
   [[nodiscard]] bool whole() const;
   Bytes answer(std::uint8_t type, const Bytes& data, base::Time now);
   Bytes answer_program(const Bytes& data, base::Time now);
   Bytes answer_blocks(const Bytes& data);
+  static void put(Bytes& bytes, const Block& block);
   static Bytes packet(std::uint8_t type, const Bytes& data);
   static Bytes error(int code);
 
@@ -56,7 +63,8 @@ class Pixy2 {
   bool button_ = false;
   bool frame_is_new_ = false;
   bool asked_ = false;
-  std::vector<sensor::Blob> blobs_;
+  std::vector<Block> blocks_;
+  std::uint8_t next_index_ = 0;
   Bytes received_;
   std::uint32_t frames_sent_ = 0;
   NotEmulated not_emulated_;

@@ -26,6 +26,13 @@ struct Pixy2Images : CameraRig<Pixy2Images> {
         3, x, y, static_cast<std::int16_t>(x + 40), static_cast<std::int16_t>(y + 30), {10 * x + 200}, {10 * y + 150},
         0, {}};
   }
+  /// With an id besides, of the camera's tracker.
+  static bool is(const sensor::BlobFrame& frame, std::int64_t image) {
+    if (frame.blobs.size() != 1 || frame.blobs[0].track == 0) return false;
+    sensor::Blob blob = frame.blobs[0];
+    blob.track = 0;
+    return blob == blob_of(image);
+  }
 
   emulate::Pixy2 device;
 };

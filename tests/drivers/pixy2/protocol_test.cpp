@@ -88,8 +88,8 @@ TEST(Pixy2Packets, BlocksBecomeInclusiveBoxes) {
   const auto blocks = blocks_in(packet_of(hex(kTwoBlocks)));
   ASSERT_TRUE(blocks);
   ASSERT_EQ(blocks->frame.blobs.size(), 2U);
-  const sensor::Blob first{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}};
-  const sensor::Blob second{2, 44, 55, 55, 65, {495}, {600}, 0, {}};
+  const sensor::Blob first{1, 138, 89, 177, 119, {1575}, {1040}, 0, {}, false, 8};
+  const sensor::Blob second{2, 44, 55, 55, 65, {495}, {600}, 0, {}, false, 9};
   EXPECT_EQ(blocks->frame.blobs[0], first);
   EXPECT_EQ(blocks->frame.blobs[1], second);
   EXPECT_EQ(blocks->dropped, 0U);

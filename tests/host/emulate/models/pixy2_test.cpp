@@ -39,17 +39,42 @@ TEST(EmulatedPixy2, AnswersAsDocumented) {
   EXPECT_EQ(device.not_emulated(), (std::vector<std::string>{"request 55", "LED"}));
 }
 
-// Index and age are not modelled: 0 and 255.
 TEST(EmulatedPixy2, SendsBlocksAsDocumented) {
   Pixy2 device(base::Time{});
   device.show({kSecond, kFirst});
   EXPECT_EQ(ask(device, hex("AF C1 20 02 FE 01 FF FF")),
-            hex("AF C1 21 1C D1 03 01 00 9E 00 68 00 28 00 1E 00 00 00 00 FF "
-                "02 00 32 00 3C 00 0C 00 0A 00 00 00 00 FF"));
+            hex("AF C1 21 1C D4 01 01 00 9E 00 68 00 28 00 1E 00 00 00 01 00 "
+                "02 00 32 00 3C 00 0C 00 0A 00 00 00 00 00"));
   device.show({kSecond, kFirst});
   EXPECT_EQ(ask(device, hex("AE C1 20 02 02 08")).at(3), 14);  // signature 2 only
   device.show({kSecond, kFirst});
   EXPECT_EQ(ask(device, hex("AE C1 20 02 FF 01")).at(6), 1);  // the largest only
+}
+
+/// Index and age of each block, the largest first.
+std::vector<std::pair<int, int>> tracked(Pixy2& device, const std::vector<sensor::Blob>& blobs) {
+  device.show(blobs);
+  const Bytes answer = ask(device, hex("AE C1 20 02 FF FF"));
+  std::vector<std::pair<int, int>> list;
+  for (std::size_t at = 6; at + 14 <= answer.size(); at += 14) list.emplace_back(answer[at + 12], answer[at + 13]);
+  return list;
+}
+
+TEST(EmulatedPixy2, TracksBlobsThatAreNear) {
+  using List = std::vector<std::pair<int, int>>;
+  const auto at = [](std::int16_t x, std::uint8_t signature = 1, std::int16_t low = 60) {
+    return sensor::Blob{signature, x, 50, static_cast<std::int16_t>(x + 20), low, {}, {}, 0, {}};
+  };
+  Pixy2 device(base::Time{});
+  EXPECT_EQ(tracked(device, {at(100), at(150, 1, 59)}), (List{{0, 0}, {1, 0}}));
+  EXPECT_EQ(tracked(device, {at(140), at(110, 1, 59)}), (List{{1, 1}, {0, 1}})) << "each takes the nearer one";
+  EXPECT_EQ(tracked(device, {at(110, 2), at(140, 1, 59)}), (List{{2, 0}, {1, 2}})) << "another colour";
+  EXPECT_EQ(tracked(device, {at(231, 1), at(110, 2, 59)}), (List{{1, 3}, {2, 1}})) << "91 px";
+  EXPECT_EQ(tracked(device, {at(138, 1), at(110, 2, 59)}), (List{{3, 0}, {2, 2}})) << "93 px: too far";
+  EXPECT_EQ(tracked(device, {}), List{});
+  EXPECT_EQ(tracked(device, {at(138, 1)}), (List{{4, 0}})) << "lost for a frame";
+  for (int i = 0; i < 300; ++i) static_cast<void>(tracked(device, {at(138, 1)}));
+  EXPECT_EQ(tracked(device, {at(138, 1)}), (List{{4, 255}}));
 }
 
 TEST(EmulatedPixy2, DropsDamagedRequestsAndStartsSlowly) {
