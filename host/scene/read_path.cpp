@@ -107,8 +107,8 @@ void read_edge_bias(const JsonNode& node, const std::vector<SceneSignature>& sig
     return;
   }
   for (const std::string& key : node.keys()) {
-    const auto known = std::ranges::find_if(
-        signatures, [&](const SceneSignature& signature) { return std::to_string(signature.id) == key; });
+    const auto is_it = [&](const SceneSignature& signature) { return std::to_string(signature.id) == key; };
+    const auto known = std::find_if(signatures.begin(), signatures.end(), is_it);
     const JsonNode of = node.at(key);
     if (known == signatures.end()) of.fail("signature " + key + " is not defined", "write the id of a signature");
     noise.edge_bias_of[known->id] = pixels(of);
