@@ -29,7 +29,7 @@ import judge  # noqa: E402
 ROOMS = ("firmware/recon", "firmware/alert", "firmware/record", "firmware/loop", "firmware/console", "firmware/config", "drivers")
 TESTS = ("hal_base_test", "hal_sensor_test", "alert_test", "record_test", "loop_test", "loop_golden_test", "console_test", "library_test",
          "settings_store_test", "config_devices_test", "image_test", "image_encoders_test",
-         "recon_test", "recon_guard_test", "recon_hybrid_test", "recon_pose_test", "recon_sheaf_test", "recon_exactness_test",
+         "recon_test", "recon_guard_test", "recon_hybrid_test", "recon_pose_test", "recon_exactness_test",
          "contract_test", "hostile_test")
 ENOUGH = 0.90
 
