@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <vector>
 
-#include "firmware/record/encode.hpp"
 #include "host/calibrate/known.hpp"
+#include "host/live/record_line.hpp"
 #include "host/result/geojson.hpp"
 #include "host/text/printable.hpp"
 
@@ -41,12 +40,6 @@ std::vector<record::Signature> padded(const Calibration& calibration) {
     if (std::ranges::any_of(calibration.pads, of_it)) all.push_back(signature);
   }
   return all;
-}
-
-template <class Record>
-std::string line_of(const Record& record) {
-  std::array<char, record::kMaxLine> line{};
-  return {line.data(), record::encode(record, line)};
 }
 
 /// The drives that the log lacks, and for which numbers.
@@ -89,9 +82,6 @@ nlohmann::ordered_json residuals_json(const Residuals& residuals) {
 
 }  // namespace
 
-std::string camera_line(const sensor::CameraIntrinsics& camera) { return line_of(camera); }
-std::string signature_line(const record::Signature& signature) { return line_of(signature); }
-
 std::string calibration_text(const Calibration& calibration, const std::string& log_name) {
   std::string text = fmt::format("{}: {} frames, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
                                  printable(log_name), calibration.frames, calibration.objects.size(),
@@ -102,8 +92,8 @@ std::string calibration_text(const Calibration& calibration, const std::string& 
   text += residual_rows(calibration);
   text += missing(calibration, true, "Not found from this log, and left as configured");
   text += missing(calibration, false, "Hardly known from this log, and mostly as configured");
-  text += "\n" + camera_line(calibration.found);
-  for (const record::Signature& signature : padded(calibration)) text += signature_line(signature);
+  text += "\n" + record_line(calibration.found);
+  for (const record::Signature& signature : padded(calibration)) text += record_line(signature);
   return text;
 }
 
@@ -124,7 +114,6 @@ std::string calibration_json(const Calibration& calibration) {
     if (!finding.observed) entry["motion"] = finding.motion;
     parameters[std::string(finding.key)] = std::move(entry);
   }
-  const auto without_end = [](std::string line) { return line.substr(0, line.find('\r')); };
   nlohmann::ordered_json pads = nlohmann::ordered_json::array();
   for (const FoundPad& pad : calibration.pads) {
     pads.push_back({{"signature", pad.signature},
@@ -134,7 +123,7 @@ std::string calibration_json(const Calibration& calibration) {
   }
   nlohmann::ordered_json signatures = nlohmann::ordered_json::array();
   for (const record::Signature& signature : padded(calibration)) {
-    signatures.push_back(without_end(signature_line(signature)));
+    signatures.push_back(record_line_without_end(signature));
   }
   const nlohmann::ordered_json root = {
       {"format", 1},
@@ -147,7 +136,7 @@ std::string calibration_json(const Calibration& calibration) {
       {"parameters", std::move(parameters)},
       {"residuals", {{"before", residuals_json(calibration.before)}, {"after", residuals_json(calibration.after)}}},
       {"pads", std::move(pads)},
-      {"fpcam", without_end(camera_line(calibration.found))},
+      {"fpcam", record_line_without_end(calibration.found)},
       {"fpsig", std::move(signatures)}};
   return root.dump() + "\n";
 }

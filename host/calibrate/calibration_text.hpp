@@ -14,8 +14,4 @@ std::string calibration_text(const Calibration& calibration, const std::string& 
 /// The same as one line of JSON; the layout is in share/doc/calibrate.md.
 std::string calibration_json(const Calibration& calibration);
 
-/// The record with its line end.
-std::string camera_line(const sensor::CameraIntrinsics& camera);
-std::string signature_line(const record::Signature& signature);
-
 }  // namespace fencepost::host

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <numbers>
 
-#include "host/calibrate/calibration_text.hpp"
 #include "host/calibrate/known.hpp"
 #include "host/calibrate/pads.hpp"
+#include "host/live/record_line.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -67,7 +67,7 @@ std::string what_it_is(const Cause& cause, const std::string& name) {
 
 /// Without its checksum, as it is typed.
 std::string typed(const record::Signature& signature) {
-  const std::string line = signature_line(signature);
+  const std::string line = record_line(signature);
   return line.substr(0, line.find('*'));
 }
 

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <map>
 
-#include "firmware/record/encode.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/log_input.hpp"
@@ -17,6 +15,7 @@
 #include "host/devices/emulated.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/emulate/scene/server.hpp"
+#include "host/live/record_line.hpp"
 #include "host/scene/load.hpp"
 
 namespace fencepost::host::cli {
@@ -127,12 +126,6 @@ Feed read_feed(const EmulateRequest& request) {
   return feed;
 }
 
-std::string camera_line(const sensor::CameraIntrinsics& camera) {
-  std::array<char, record::kMaxLine> buffer{};
-  const std::size_t size = record::encode(camera, buffer);
-  return {buffer.data(), size < 2 ? 0 : size - 2};
-}
-
 void check_boxes(const Device& device, const Feed& feed) {
   const emulate::ImageLimits& image = *device.image;
   for (const sensor::BlobFrame& frame : feed.frames) {
@@ -158,7 +151,7 @@ void explain_camera(const Device& device, const Feed& feed) {
   if (camera.width != image.width || camera.height != image.height) {
     say(fmt::format("{}: boxes of {} x {} pixels are scaled to its {} x {}; the calibration that belongs to them:",
                     device.name, camera.width, camera.height, image.width, image.height));
-    say(camera_line(emulate::fitted_calibration(camera, image, devices::label_of_emulated(device.spec))));
+    say(record_line_without_end(emulate::fitted_calibration(camera, image, devices::label_of_emulated(device.spec))));
   } else if (nominal && std::abs(camera.fx.to_double() / nominal->fx.to_double() - 1) > 0.05) {
     say(fmt::format("{}: focal length {} px, a usual one has {}; use the scene's calibration, not the driver's",
                     device.name, camera.fx.to_double(), nominal->fx.to_double()));

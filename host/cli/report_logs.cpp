@@ -3,19 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "firmware/record/encode.hpp"
 #include "host/cli/alert_spool.hpp"
 #include "host/cli/exit_code.hpp"
 #include "host/cli/files.hpp"
 #include "host/cli/packed_log.hpp"
 #include "host/cli/replay_run.hpp"
+#include "host/live/record_line.hpp"
 #include "host/web/thinned_run.hpp"
 #include "host/web/with_calibration.hpp"
 
@@ -30,11 +29,6 @@ constexpr std::size_t kMinRoom = 30'000;
 /// Bytes that base64 of this length unpacks to.
 std::size_t unpacked_base64(std::size_t text) { return text / 4 * 3; }
 std::size_t base64_of(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
-
-std::string line_of(const sensor::CameraIntrinsics& camera) {
-  std::array<char, record::kMaxLine> line{};
-  return {line.data(), record::encode(camera, line)};
-}
 
 /// Short ones first; pipes, of which nobody knows, last.
 std::vector<std::size_t> by_size(const std::vector<std::string>& logs) {
@@ -84,7 +78,7 @@ void read_report_log(const ReportInputs& inputs, const std::string& path, std::s
   ReplayProgress progress(input);
   LogSource source = [&] { return progress.next(); };
   if (inputs.options.camera) {
-    const auto filter = std::make_shared<WithCalibration>(source, line_of(*inputs.options.camera));
+    const auto filter = std::make_shared<WithCalibration>(source, record_line(*inputs.options.camera));
     source = [filter] { return filter->next(); };
   }
   const std::string name = input_name(path);

@@ -10,8 +10,8 @@
 #include "firmware/config/about_image.hpp"
 #include "firmware/config/devices.hpp"
 #include "firmware/config/settings_store.hpp"
-#include "firmware/record/encode.hpp"
 #include "hal/mcu/about_board.hpp"
+#include "host/live/record_line.hpp"
 #include "host/text/device_word.hpp"
 #include "host/text/suggest.hpp"
 
@@ -252,13 +252,6 @@ struct PagesOnDesk {
 };
 static_assert(bus::FlashPages<PagesOnDesk>);
 
-template <class Record>
-std::string line_of(const Record& record) {
-  std::array<char, record::kMaxLine> room{};
-  const std::size_t size = record::encode(record, room);
-  return {room.data(), size > 2 ? size - 2 : 0};
-}
-
 // A calibration that was made of another camera would be passed over, or worse, be believed.
 void expect_of_this_camera(const sensor::CameraIntrinsics& camera, const Robot& robot) {
   const sensor::CameraIntrinsics delivered = robot.delivered();
@@ -288,14 +281,15 @@ sensor::CameraIntrinsics calibration_of(const Robot& robot, const ConfigureReque
 
 std::vector<std::string> lines_of(const Robot& robot, const ConfigureRequest& request) {
   std::vector<std::string> lines;
-  for (const record::Setting& setting : robot.configured()) lines.push_back(line_of(setting));
+  for (const record::Setting& setting : robot.configured()) lines.push_back(record_line_without_end(setting));
   const sensor::CameraIntrinsics camera = calibration_of(robot, request);
-  if (camera.width > 0 && camera != robot.delivered()) lines.push_back(line_of(camera));
+  if (camera.width > 0 && camera != robot.delivered()) lines.push_back(record_line_without_end(camera));
   if (request.robot.signatures.size() > robot.program().signatures) {
     throw Wrong{fmt::format("there are {} signatures, the image has room for {}; leave some out",
                             request.robot.signatures.size(), robot.program().signatures)};
   }
-  for (const record::Signature& signature : request.robot.signatures) lines.push_back(line_of(signature));
+  for (const record::Signature& signature : request.robot.signatures)
+    lines.push_back(record_line_without_end(signature));
   return lines;
 }
 

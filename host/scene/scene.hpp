@@ -20,7 +20,7 @@ struct SceneSignature {
   std::string name;
   sensor::Rgb rgb;
   std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: unknown
-  std::int8_t pad = 0;      ///< px: the robot takes so much off each side of this colour's boxes
+  std::int8_t pad = 0;      ///< px that the robot takes off each side of this colour's boxes
 };
 
 struct TimedPose {

@@ -15,6 +15,7 @@
 #include "host/cli/progress.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/live/record_line.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host::cli {
@@ -94,7 +95,7 @@ void write_all(const CalibrateRequest& request, const Calibration& calibration, 
     if (!made) throw Failure(Exit::kUnreadable, made.error().message);
     robot = *made;
   }
-  if (!request.write_camera.empty()) write_output(request.write_camera, camera_line(calibration.found));
+  if (!request.write_camera.empty()) write_output(request.write_camera, record_line(calibration.found));
   if (!request.write_robot.empty()) write_output(request.write_robot, robot);
   if (!request.picture.empty()) write_output(request.picture, calibration_picture(calibration));
   write_output(request.output,

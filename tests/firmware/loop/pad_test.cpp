@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int8_t kPadded = 4;  // px
 
-/// All frames of the approach, each side so many px further out.
+/// All frames of the approach, each side `by` px further out.
 Script padded(Script script, std::int16_t by) {
   for (fake::CameraStep& step : script.camera) {
     sensor::BlobFrame frame = *step.answer;
