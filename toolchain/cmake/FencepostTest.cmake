@@ -1,6 +1,10 @@
 add_library(fencepost_test_flags INTERFACE)
 target_link_libraries(fencepost_test_flags INTERFACE fencepost_flags GTest::gtest GTest::gtest_main)
 
+# The folder and the name of every test program, for tests/mutation/run.py.
+set(FENCEPOST_TEST_PROGRAMS "${PROJECT_BINARY_DIR}/test_programs.txt")
+file(WRITE "${FENCEPOST_TEST_PROGRAMS}" "")
+
 # fencepost_test(<name> SOURCES a.cpp ... LIBRARIES x ... [EACH] [STAGED] [COST n]): one GoogleTest program.
 # CTest knows its suites; with EACH its cases, as where one may skip, which CTest says of whole tests only. STAGED: on the
 # clock of tests/stage, as what would wait in real time. What takes long has a COST: the dearest begin first.
@@ -12,6 +16,8 @@ function(fencepost_test name)
     list(APPEND properties COST ${ARG_COST})
   endif()
   add_executable(${name} ${ARG_SOURCES})
+  file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  file(APPEND "${FENCEPOST_TEST_PROGRAMS}" "${folder}/${name}\n")
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} fencepost_test_flags)
   if(ARG_STAGED)
     set_target_properties(${name} PROPERTIES CROSSCOMPILING_EMULATOR "$<TARGET_FILE:stage>")
