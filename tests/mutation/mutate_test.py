@@ -2,8 +2,8 @@
 """usage: mutate_test.py SOURCES COMPILER FOLDER PROGRAMS
 
 Mutates a small program by every operator and runs it with each mutant. It has to print what that mutant means, and
-without a mutant its output is unchanged. And run.py's --under takes the mutants of the folders that it names, and its
-judges are the tests of each room among PROGRAMS, which CMake lists.
+without a mutant its output is unchanged. And run.py's --under takes the mutants of the folders that it names. Its judges
+are the tests of each room among PROGRAMS, which CMake lists.
 """
 
 import json
