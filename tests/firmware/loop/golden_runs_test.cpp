@@ -59,7 +59,7 @@ constexpr Run kRuns[] = {
     {"car pitched", "wro_lap", Mode::kText, "", 0, 0, kPitched},
 };
 // Asked at the end of each run.
-constexpr const char* kQuestions[] = {"status", "objects", "map", "next", "next 1", "sectors", "calibrate"};
+constexpr const char* kQuestions[] = {"status", "objects", "map", "next", "next 1", "sectors", "ways", "calibrate"};
 constexpr std::uint32_t kDrives = 100;  // random ones, for each profile
 constexpr const char* kTable = "/tests/firmware/loop/golden_runs.csv";
 
