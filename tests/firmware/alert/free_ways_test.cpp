@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <random>
 
+#include "firmware/alert/known_room.hpp"
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"
 #include "tests/firmware/alert/known_floor.hpp"
@@ -21,9 +23,13 @@ using Way = record::WayReport::Way;
 
 constexpr std::size_t kSpin = 0;
 constexpr std::size_t kSharpLeft = 1;
+constexpr std::size_t kLeft = 2;
 constexpr std::size_t kStraight = 4;
+constexpr std::size_t kRight = 6;
 constexpr std::size_t kSharpRight = 7;
 constexpr std::size_t kBack = 8;
+
+const recon::guard::SeenFloor kSeenAround = floor_seen_around(kHome);
 
 alert::AlertRules rules() { return alert::AlertRules(config::Settings{}); }
 
@@ -61,82 +67,164 @@ TEST(FreeWays, OnlyFloorThatWasSeenIsFree) {
   }
 }
 
-TEST(FreeWays, AThingAheadEndsTheWaysThatMeetIt) {
-  const recon::guard::SeenFloor floor = floor_seen_around(kHome);
-  FreeWays ways((alert::RobotPath()));
-  const recon::guard::Front front = front_at(0.8, 0);
-  ways.add({&front, 1}, {}, alert::RobotPlace(kHome));
-  EXPECT_EQ(way_of(ways, kStraight, floor).end, WayEnd::kThing);
-  EXPECT_NEAR(way_of(ways, kStraight, floor).free.to_double(), 0.65, 0.002) << "its disc and the body's radius";
-  EXPECT_EQ(way_of(ways, kSharpLeft, floor).end, WayEnd::kNothing);
-  EXPECT_EQ(way_of(ways, kSharpRight, floor).end, WayEnd::kNothing);
-  EXPECT_EQ(way_of(ways, kBack, floor).end, WayEnd::kNothing);
-}
-
 TEST(FreeWays, AnObjectCountsByItsOutlineWhereThatIsKnown) {
-  const recon::guard::SeenFloor floor = floor_seen_around(kHome);
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(0.8, 0, 0.1);
   FreeWays by_cylinder((alert::RobotPath()));
   by_cylinder.add(object, alert::RobotPlace(kHome), PassingSide::kAny);
-  EXPECT_NEAR(way_of(by_cylinder, kStraight, floor).free.to_double(), 0.6, 0.03);
+  EXPECT_NEAR(way_of(by_cylinder, kStraight, kSeenAround).free.to_double(), 0.6, 0.03);
 
   // A wall across the way, 1 m wide.
   BoxOutline(0.04F, 1.0F, 0.002F).put_into(object.hybrid(), pose_at(0.8, 0, 0).position);
   ASSERT_TRUE(object.hybrid().ok());
   FreeWays by_outline((alert::RobotPath()));
   by_outline.add(object, alert::RobotPlace(kHome), PassingSide::kAny);
-  EXPECT_NEAR(way_of(by_outline, kStraight, floor).free.to_double(), 0.65, 0.04);
+  EXPECT_NEAR(way_of(by_outline, kStraight, kSeenAround).free.to_double(), 0.65, 0.04);
   for (const std::size_t k : {std::size_t{3}, std::size_t{5}}) {
-    EXPECT_EQ(way_of(by_outline, k, floor).end, WayEnd::kThing) << k;
+    EXPECT_EQ(way_of(by_outline, k, kSeenAround).end, WayEnd::kThing) << k;
   }
   object.id = 0;
   FreeWays none((alert::RobotPath()));
   none.add(object, alert::RobotPlace(kHome), PassingSide::kAny);
-  EXPECT_NE(way_of(none, kStraight, floor).end, WayEnd::kThing);
+  EXPECT_NE(way_of(none, kStraight, kSeenAround).end, WayEnd::kThing);
 }
 
+// Bodies 0.2 m wide with a margin of 0.05 m; a front is a disc of 0.05 m. On an arc of 0.3125 m the pivot is at that y.
+TEST(FreeWays, EndWhereTheBodyTouches) {
+  constexpr double kNone = -1;
+  struct Row {
+    float front, rear;
+    std::size_t way;
+    double x, y, free;
+  };
+  // 90 degrees on, less asin(0.15 / 0.625): the front's edge is level with it then.
+  constexpr double kQuarterOn = 0.8303;
+  const Row rows[] = {
+      {0, 0, kStraight, 0.8, 0, 0.65},
+      {0, 0, kSharpLeft, 0.8, 0, kNone},
+      {0, 0, kBack, 0.8, 0, kNone},
+      {0, 0, kStraight, 0.8, 0.199, 0.65},
+      {0, 0, kStraight, 0.8, -0.201, kNone},
+      {0.25F, 0.3F, kStraight, 0.8, 0, 0.5},
+      {0, 0, kStraight, 0.1, 0.149, 0},
+      {0, 0, kStraight, 0.1, 0.151, kNone},
+      {0, 0, kStraight, 0.102, -0.151, 0},
+      {0, 0, kStraight, -0.001, 0.1, kNone},
+      {0, 0, kStraight, 1.64, 0, 1.49},
+      {0.25F, 0.3F, kBack, -0.8, 0.199, 0.45},
+      {0.25F, 0.02F, kBack, -0.8, 0, 0.65},
+      {0, 0, kBack, 0.001, 0.1, kNone},
+      {0, 0, kLeft, 0.625, 0.625, kQuarterOn},
+      {0, 0, kRight, 0.625, -0.625, kQuarterOn},
+      {0, 0, kRight, 0.625, 0.625, kNone},
+      {0, 0, kSharpLeft, 0, 0.3125, kNone},  // the pivot itself
+      // asin(0.2 / 0.5688) of a point beside the tail, which is out by 0.5125 m, less that of where it comes out.
+      {0.1F, 0.3F, kSharpLeft, -0.2, -0.22, 0.0279},
+      {0.1F, 0.3F, kSharpRight, -0.2, 0.22, 0.0279},
+      {0.1F, 0.1F, kSharpLeft, -0.2, -0.22, kNone},
+      {0.25F, 0.05F, kSpin, -0.369, 0, 0},
+      {0.25F, 0.05F, kSpin, 0, 0.370, kNone},
+      {0.05F, 0.25F, kSpin, 0.369, 0, 0},
+      {0, 0, kSpin, 0.12, 0, kNone}};
+  for (const Row& row : rows) {
+    alert::RobotPath body;
+    body.front = row.front;
+    body.rear = row.rear;
+    FreeWays ways(body);
+    const recon::guard::Front front = front_at(row.x, row.y);
+    ways.add({&front, 1}, {}, alert::RobotPlace(kHome));
+    const Way way = way_of(ways, row.way, kSeenAround);
+    const auto where = testing::Message()
+                       << row.way << " of " << row.front << " " << row.rear << ": " << row.x << " " << row.y;
+    EXPECT_EQ(way.end == WayEnd::kThing, row.free != kNone) << where;
+    if (row.free == kNone) continue;
+    EXPECT_NEAR(way.free.to_double(), row.free, 6e-4) << where;
+    const double before_stop = row.way == kSpin ? 0 : row.free + 0.1 - 0.25;
+    EXPECT_NEAR(way.speed.to_double(), std::max(0.0, std::min(row.free / 1.2, before_stop / 0.1)), 5e-3) << where;
+  }
+}
+
+// As far as the middle of a thin pillar, less what is ahead of the origin. On an arc of 0.3125 m to the left it is
+// atan2(0.6, 0.3125) - asin(0.1 / 0.6765) on.
 TEST(FreeWays, APillarIsPassedOnTheSideThatItAsksFor) {
-  const recon::guard::SeenFloor floor = floor_seen_around(kHome);
   recon::Object<config::Small> pillar;
-  static_cast<recon::ObjectCore&>(pillar) = known_object(0.6, 0, 0.03);
-  const auto ends = [&](PassingSide side, std::size_t k) {
+  const auto until = [&](double x, double y, PassingSide side, std::size_t k) {
+    static_cast<recon::ObjectCore&>(pillar) = known_object(x, y, 0.01);
     FreeWays ways((alert::RobotPath()));
     ways.add(pillar, alert::RobotPlace(kHome), side);
-    return way_of(ways, k, floor).end == WayEnd::kThing;
+    const Way way = way_of(ways, k, kSeenAround);
+    return way.end == WayEnd::kThing ? way.free.to_double() : -1;
   };
-  EXPECT_FALSE(ends(PassingSide::kAny, kSharpLeft));
-  EXPECT_TRUE(ends(PassingSide::kRight, kSharpLeft)) << "that would pass it on its left";
-  EXPECT_FALSE(ends(PassingSide::kRight, kSharpRight));
-  EXPECT_TRUE(ends(PassingSide::kLeft, kSharpRight));
-  EXPECT_FALSE(ends(PassingSide::kLeft, kSharpLeft));
-  EXPECT_TRUE(ends(PassingSide::kRight, kStraight)) << "it stands in the way of that";
+  const auto any = PassingSide::kAny, left = PassingSide::kLeft, right = PassingSide::kRight;
+  EXPECT_EQ(until(0.6, 0, any, kSharpLeft), -1);
+  EXPECT_NEAR(until(0.6, 0, right, kSharpLeft), 0.2945, 3e-3) << "that would pass it on its left";
+  EXPECT_NEAR(until(0.6, 0, left, kSharpRight), 0.2945, 3e-3);
+  EXPECT_EQ(until(0.6, 0, right, kSharpRight), -1);
+  EXPECT_EQ(until(0.6, 0, left, kSharpLeft), -1);
+  EXPECT_NEAR(until(0.6, 0, right, kStraight), 0.49, 0.02) << "it stands in the way of that";
+  EXPECT_NEAR(until(0.6, 0.5, left, kStraight), 0.5, 3e-3);
+  EXPECT_NEAR(until(0.6, -0.5, right, kStraight), 0.5, 3e-3);
+  EXPECT_EQ(until(0.6, 0.5, right, kStraight), -1);
+  EXPECT_EQ(until(0.6, -0.5, left, kStraight), -1);
+  EXPECT_EQ(until(0.05, 0.5, left, kStraight), 0) << "beside it";
+  EXPECT_EQ(until(-0.1, 0.5, left, kStraight), -1) << "passed";
+  EXPECT_EQ(until(0.6, 1.6, left, kStraight), -1) << "farther aside than floor is known";
+  EXPECT_EQ(until(-0.6, 0, left, kBack), until(-0.6, 0, any, kBack)) << "only on the way ahead";
+  EXPECT_EQ(until(0.6, 0, right, kSpin), -1);
+}
+
+// It ends at the last of the places, 96 mm apart, under whose leading edge the floor was seen on both sides.
+TEST(FreeWays, EndBeforeFloorThatWasNotSeen) {
+  const double step = 0.001 * alert::kFloorStep;
+  const recon::guard::SeenFloor floor = floor_seen(pose_at(2, -3, 0), {0, 50, 180});
+  int ended = 0, different = 0;
+  for (std::size_t k = kSharpLeft; k <= kBack; ++k) {
+    for (int degrees = -90; degrees <= 180; degrees += 5) {
+      const Way way = way_of(FreeWays((alert::RobotPath())), k, floor, pose_at(2, -3, degrees * kDegree));
+      const double curvature = 0.01 * way.curvature.raw;
+      const double sign = k == kBack ? -1 : 1;
+      const auto seen = [&](double gone, double aside) {
+        const double turned = curvature * gone;
+        const std::complex<double> place =
+            curvature == 0 ? sign * gone
+                           : (std::polar(1.0, turned - 0.5 * M_PI) + std::complex<double>(0, 1)) / curvature;
+        const std::complex<double> at = place + std::complex<double>(sign * 0.1, aside) * std::polar(1.0, turned);
+        const std::complex<double> map = at * std::polar(1000.0, degrees * kDegree);
+        return std::abs(at) <= 0.25 ||
+               floor.seen(static_cast<int>(2000 + map.real()), static_cast<int>(-3000 + map.imag()));
+      };
+      const double longest = curvature == 0 ? 1.5 : std::min(1.5, std::numbers::pi / std::fabs(curvature));
+      double free = 0;
+      for (double gone = 0; gone < longest && seen(gone, 0.05) && seen(gone, -0.05); gone += step) free = gone;
+      const bool known = free + step >= longest;
+      ended += known ? 0 : 1;
+      different +=
+          std::fabs(way.free.to_double() - (known ? longest : free)) > 2e-3 || (way.end == WayEnd::kUnknown) == known
+              ? 1
+              : 0;
+    }
+  }
+  EXPECT_GT(ended, 200);
+  EXPECT_LE(different, 8) << "at borders of cells";
 }
 
 TEST(FreeWays, ACornerNeedsRoomToTurnOnTheSpot) {
   alert::RobotPath body;
   body.front = 0.25F;
   body.rear = 0.05F;
-  FreeWays ways(body);
-  EXPECT_EQ(way_of(ways, kSpin, floor_seen_around(kHome)).end, WayEnd::kNothing);
+  const FreeWays ways(body);
+  EXPECT_EQ(way_of(ways, kSpin, kSeenAround).end, WayEnd::kNothing);
   EXPECT_EQ(way_of(ways, kSpin, floor_seen(kHome, {0})).end, WayEnd::kUnknown);
-  const recon::guard::Front behind = front_at(-0.25, 0.1);
-  ways.add({&behind, 1}, {}, alert::RobotPlace(kHome));
-  const Way spin = way_of(ways, kSpin, floor_seen_around(kHome));
-  EXPECT_EQ(spin.end, WayEnd::kThing);
-  EXPECT_EQ(spin.free.raw, 0);
-  EXPECT_EQ(spin.speed.raw, 0);
 }
 
 // At that speed no STOP is due by the distance or the time to contact. Somewhat faster it is.
 TEST(FreeWays, ASpeedLeavesTimeToSlowDownBeforeAStop) {
-  const recon::guard::SeenFloor floor = floor_seen_around(kHome);
   const alert::AlertRules limits = rules();
   for (const double x : {0.3, 0.4, 0.5, 0.8, 1.2}) {
     FreeWays ways((alert::RobotPath()));
     const recon::guard::Front front = front_at(x, 0);
     ways.add({&front, 1}, {}, alert::RobotPlace(kHome));
-    const Way way = way_of(ways, kStraight, floor);
+    const Way way = way_of(ways, kStraight, kSeenAround);
     const auto stops_at = [&](float speed) {
       alert::RobotPath path;
       path.motion.forward = speed;
@@ -183,7 +271,6 @@ double touched_after(const alert::RobotPath& body, std::size_t index, double x, 
 TEST(FreeWays, NoWayIsLongerThanABodyThatIsMovedAlongIt) {
   std::mt19937 random(28);
   const auto between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(random); };
-  const recon::guard::SeenFloor floor = floor_seen_around(kHome);
   constexpr double kRadius = 0.05;  // of a front
   int met = 0;
   for (int i = 0; i < 3'000; ++i) {
@@ -197,7 +284,7 @@ TEST(FreeWays, NoWayIsLongerThanABodyThatIsMovedAlongIt) {
     const recon::guard::Front front = front_at(x, y);
     ways.add({&front, 1}, {}, alert::RobotPlace(kHome));
     for (std::size_t k = kSharpLeft; k <= kBack; ++k) {
-      const Way way = way_of(ways, k, floor);
+      const Way way = way_of(ways, k, kSeenAround);
       const double truth = touched_after(body, k, x, y, kRadius);
       EXPECT_LE(way.free.to_double(), truth + 0.004) << i << " way " << k << " at " << x << ", " << y;
       if (way.end != WayEnd::kThing) continue;

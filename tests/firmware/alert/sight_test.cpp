@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/recon/guard/flat_world.hpp"
 
@@ -115,14 +118,45 @@ TEST(Sight, OneFrameLessIsNoBlindness) {
   }
 }
 
-TEST(Sight, AStandingRobotHasMoreTime) {
-  Inputs inputs;
-  inputs.speed = 0;
-  inputs.run(1);
-  inputs.camera_on = false;
-  const double seconds = inputs.seconds_until(Blindness::kCameraLate);
-  EXPECT_GT(seconds, 0.8);
-  EXPECT_LE(seconds, 1.1);
+// Two and a half of its intervals, smoothed over eight of them, within 0.27 and 1.5 s; of a robot that stands within 1
+// s.
+TEST(Rhythm, AnInputIsOverdueAfterItsUsualIntervals) {
+  struct Row {
+    std::vector<int> intervals;
+    bool standing;
+    int due;  // ms
+  };
+  for (const Row& row :
+       {Row{{20, 20}, false, 270}, Row{{108}, false, 270}, Row{{120, 120}, false, 300}, Row{{400, 400}, false, 1'000},
+        Row{{700}, false, 1'500}, Row{{9'000, 100}, false, 1'500}, Row{{100, 200}, false, 280},
+        Row{{200, 120}, false, 475}, Row{{100}, true, 1'000}, Row{{440, 440}, true, 1'100}, Row{{700}, true, 1'500}}) {
+    alert::Rhythm rhythm;
+    base::Time t{10'000};
+    EXPECT_FALSE(rhythm.overdue(t, row.standing)) << "before the first";
+    rhythm.beat(t);
+    for (const int interval : row.intervals) rhythm.beat(t = t + base::milliseconds(interval));
+    EXPECT_FALSE(rhythm.overdue(t + base::milliseconds(row.due), row.standing)) << row.due;
+    EXPECT_TRUE(rhythm.overdue(t + base::milliseconds(row.due) + base::Duration{1}, row.standing)) << row.due;
+  }
+}
+
+TEST(Sight, ARunThatBeginsHasTime) {
+  for (const auto& [standing, ms] : {std::pair(false, 270), {true, 1'000}}) {
+    alert::Sight sight;
+    const base::Time last = base::Time{} + base::milliseconds(ms);
+    const base::Time late = last + base::Duration{1};
+    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNone) << "before it begins";
+    sight.start(base::Time{});
+    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
+    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNoCamera);
+    sight.frame_came(last);
+    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
+    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNoOdometry);
+    sight.odometry_came({last, {}, {}, {}});
+    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
+    EXPECT_EQ(sight.blindness(late, standing), Blindness::kFramesUnused);
+    EXPECT_EQ(sight.camera_state(late, standing), LinkState::kUnready);
+  }
 }
 
 TEST(Sight, SilentOdometryIsSaidInTime) {
@@ -278,22 +312,48 @@ TEST(Sight, WhatCannotChangeIsNotFrozen) {
   EXPECT_EQ(before_a_wall.seconds_until(Blindness::kFrozen), Inputs::kNever) << "it fills the image";
 }
 
+// 0.1 m and 5 m/s; 0.6667 rad and 33.33 rad/s. For half a second.
 TEST(Sight, OdometryThatJumpsIsNotBelieved) {
-  Inputs inputs;
-  inputs.run(1);
-  inputs.x += 0.5;
-  inputs.run(0.02);
-  EXPECT_EQ(inputs.blindness(), Blindness::kJump);
-  EXPECT_EQ(inputs.odometry_state(), LinkState::kUnready);
-  inputs.run(0.6);
-  EXPECT_EQ(inputs.blindness(), Blindness::kNone);
-  inputs.heading += 3;
-  inputs.run(0.02);
-  EXPECT_EQ(inputs.blindness(), Blindness::kJump);
-  inputs.run(0.6);
-  inputs.heading -= 6.2832;
-  inputs.run(0.02);
-  EXPECT_EQ(inputs.blindness(), Blindness::kNone) << "headings may wrap";
+  struct Row {
+    int ms, x, y, heading;  // mm, mrad
+    bool jumps;
+  };
+  for (const Row& row : {Row{20, 199, 0, 0, false}, Row{20, 201, 0, 0, true}, Row{20, 0, -199, 0, false},
+                         Row{20, 0, -201, 0, true}, Row{100, 0, 599, 0, false}, Row{100, -601, 0, 0, true},
+                         Row{100, 450, 450, 0, true}, Row{20, 0, 0, 1'333, false}, Row{20, 0, 0, 1'334, true},
+                         Row{20, 0, 0, -1'334, true}, Row{20, 0, 0, -6'283, false}}) {
+    alert::Sight sight;
+    const base::Time t = base::Time{10'000} + base::milliseconds(row.ms);
+    const base::Radians from{5'000};
+    sight.start({});
+    sight.odometry_came({{10'000}, {20'000}, {-30'000}, from});
+    sight.odometry_came({t, {20'000 + 10 * row.x}, {-30'000 + 10 * row.y}, {from.raw + 10 * row.heading}});
+    sight.frame_came(t);
+    const auto where = testing::Message() << row.ms << " " << row.x << " " << row.y << " " << row.heading;
+    EXPECT_EQ(sight.odometry_state(t, true), row.jumps ? LinkState::kUnready : LinkState::kOk) << where;
+    EXPECT_EQ(sight.blindness(t, true) == Blindness::kJump, row.jumps) << where;
+    const base::Time last = t + base::milliseconds(500);
+    EXPECT_EQ(sight.odometry_state(last, true), LinkState::kOk) << where;
+    EXPECT_EQ(sight.odometry_state(last - base::Duration{1}, true) == LinkState::kUnready, row.jumps) << where;
+  }
+}
+
+TEST(Sight, ACameraThatSeesNothingForASecondIsEmpty) {
+  alert::Sight sight;
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2());
+  const auto state_after = [&](int ms, const std::vector<FlatFront>& world) {
+    const base::Time t = base::Time{10'000} + base::milliseconds(ms);
+    sensor::BlobFrame frame = flat_view(world, 0, 0, 0, 1);
+    frame.t = t;
+    sight.frame_came(t);
+    sight.frame_used(recon::make_waiting(frame, 0), camera, {});
+    return sight.camera_state(t, true);
+  };
+  EXPECT_EQ(state_after(0, {{0.9, -0.2, 0.2}}), LinkState::kOk);
+  EXPECT_EQ(state_after(500, {}), LinkState::kOk);
+  EXPECT_EQ(state_after(999, {}), LinkState::kOk);
+  EXPECT_EQ(state_after(1'000, {}), LinkState::kEmpty);
+  EXPECT_EQ(state_after(1'100, {{0.9, -0.2, 0.2}}), LinkState::kOk);
 }
 
 }  // namespace
