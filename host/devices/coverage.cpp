@@ -52,7 +52,7 @@ std::string emulator(const Row& row, PlaceKind link, const Tried& tried) {
 
 std::string guest(PlaceKind link, const Tried& tried) {
   if (!tried.guest.empty()) return "yes";
-  return link == kTty ? "not needed" : kNothing;
+  return link == kTty ? "" : kNothing;
 }
 
 std::string boards(const Row& row, PlaceKind link) {
@@ -76,21 +76,20 @@ std::string others(const Row& row, PlaceKind link, const Tried& tried) {
 
 std::string coverage_table() {
   std::string text =
-      "| device | link | driver | emulator | guest kernel | board | other people's software |\n"
-      "|---|---|---|---|---|---|---|\n";
+      "| device | link | emulator | guest kernel | board | other people's software |\n"
+      "|---|---|---|---|---|---|\n";
   for (const Row& row : catalogue()) {
     if (!row.live->has_value()) continue;
     for (const PlaceKind link : kLinks) {
       if (!has((*row.live)->places, link)) continue;
       const Tried tried = tried_on(row, link);
-      text += fmt::format("| `{}` | {} | `run` | {} | {} | {} | {} |\n", *row.name, link_name(link),
-                          emulator(row, link, tried), guest(link, tried), boards(row, link), others(row, link, tried));
+      text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", *row.name, link_name(link), emulator(row, link, tried),
+                          guest(link, tried), boards(row, link), others(row, link, tried));
     }
   }
   for (const config::DeviceInfo& odometry : config::kOdometries) {
     if (odometry.port != config::Port::kPins) continue;
-    text += fmt::format("| `{0}` | pins | on boards | boards' emulators | not needed | `{0}` | none: emulator only |\n",
-                        odometry.name);
+    text += fmt::format("| `{0}` | pins | boards' emulators | | `{0}` | emulator only |\n", odometry.name);
   }
   return text;
 }

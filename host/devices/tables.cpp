@@ -85,7 +85,7 @@ std::string told(const Emulated& emulated) {
 }
 
 std::string live_table(Use use, std::string_view title) {
-  std::string text = fmt::format("| {} | | places | options | on a board |\n|---|---|---|---|---|\n", title);
+  std::string text = fmt::format("| {} | | places | on a board |\n|---|---|---|---|\n", title);
   for (const Row* row : rows_for(use)) {
     std::vector<std::string> places;
     for (const std::string& place : shown_places(places_of(*row, use), use)) {
@@ -93,8 +93,17 @@ std::string live_table(Use use, std::string_view title) {
     }
     std::vector<std::string> images;
     for (const std::string& image : row->images) images.push_back("`" + image + "`");
-    text += fmt::format("| [`{0}`](sensors/{0}.md) | {1} | {2} | {3} | {4} |\n", *row->name, *row->about,
-                        listed(places), explained_options(*row, use), listed(images));
+    text += fmt::format("| [`{0}`](sensors/{0}.md) | {1} | {2} | {3} |\n", *row->name, *row->about, listed(places),
+                        listed(images));
+  }
+  return text;
+}
+
+std::string options_table() {
+  std::string text = "| device | options of `run` |\n|---|---|\n";
+  for (const Use use : {Use::kCamera, Use::kOdometry}) {
+    for (const Row* row : rows_for(use))
+      text += fmt::format("| `{}` | {} |\n", *row->name, explained_options(*row, use));
   }
   return text;
 }
@@ -128,11 +137,10 @@ std::string unready_table() {
 }
 
 std::string emulated_table() {
-  std::string text = "| device | | what it can tell | options |\n|---|---|---|---|\n";
+  std::string text = "| device | what it can tell |\n|---|---|\n";
   for (const Row* row : rows_for(Use::kEmulated)) {
     const bool can = places_of(*row, Use::kEmulated).front() == PlaceKind::kCan;
-    text += fmt::format("| `{}{}` | {} | {} | {} |\n", *row->name, can ? ":INTERFACE" : "", *row->about,
-                        told(**row->emulated), explained_options(*row, Use::kEmulated));
+    text += fmt::format("| `{}{}` | {} |\n", *row->name, can ? ":INTERFACE" : "", told(**row->emulated));
   }
   return text;
 }
@@ -157,41 +165,28 @@ std::string help_for(Use use, std::span<const std::string> kinds) {
 
 std::string devices_document() {
   return "# Devices\n\n"
-         "The cameras and wheels that Fencepost knows, as `fencepost devices` has them; a test writes this page anew "
-         "and "
-         "compares.\n"
-         "The name leads to the device's own page: settings, wires, lines to type, its lens, what may go wrong, "
-         "traps.\n"
-         "Nobody has connected the real things: the facts come from their makers' "
-         "documents and sources, or from others\nwho used them.\n\n"
-         "A device is named `KIND:PLACE[,option=value...]`. An option stands here with its default, or with its words, "
-         "of "
-         "which the\nfirst is the default. On a board `set camera` and `set odometry` ([console](console.md)) choose "
-         "it by "
-         "the name in the last column.\n`baud=` is of serial ports. `emulate` plays all of them but the console; "
-         "without a "
-         "place it makes a pseudo-terminal\n([emulate](emulate.md)).\n\n" +
+         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. The name leads to the "
+         "device's page: lens,\noptions, settings, wires, lines to type, traps. Nobody has connected the real things: "
+         "the facts come from makers'\ndocuments and sources, or from others who used them.\n\n"
+         "A device is named `KIND:PLACE[,option=value...]`. Its page has the options with their defaults, of words the "
+         "first. On a\nboard `set camera` and `set odometry` ([console](console.md)) choose by the name in the last "
+         "column.\n[`emulate`](emulate.md) plays all but the console.\n\n" +
          live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry");
 }
 
 std::string devices_results() {
-  return "# Devices: data and what was tried\n\n"
-         "By device, from the catalogue (`host/devices`); each device's page has its own lines, and is made of "
-         "these.\n\n"
-         "## Lenses\nThe assumed lens of each camera, until it is calibrated or given (`camera` of the robot file, "
-         "`set "
-         "lens`), and its source.\nCalibrate where the source is no maker's, or another lens may be screwed on. None "
-         "publishes a distortion: k1 is 0.\n\n" +
-         lens_table() + "\n## When it answers and is not ready\n" + unready_table() + "\n## Of `emulate`\n" +
-         emulated_table() +
-         "\n## What was tried with what\n"
-         "No line of this table was tried with the device itself. `emulator only`: no other people's software was at "
-         "the emulator, and nobody's\nfirmware or recording at the driver. Both follow the same documents and can be "
-         "wrong "
-         "alike. `run` and `emulate` reach the bus from the\ncommand line; in tests: an emulator on it is only there. "
-         "Guest kernel: the bus of a real kernel (`toolchain/guest`); a serial line\nneeds none, a pty is one. Board: "
-         "its name there.\n\n" +
+  return "# Devices: what was tried with what\n\n"
+         "From the catalogue (`host/devices`). **No line was tried with the device itself.** `emulator only`: no other "
+         "people's\nsoftware was at the emulator, and nobody's firmware or recording at the driver. Both follow the "
+         "same "
+         "documents and can\nbe wrong alike. Emulator: `emulate` has the link, or a test alone. Guest kernel: the bus "
+         "of "
+         "a real kernel\n(`toolchain/guest`); a serial line needs none. Board: the device's name there.\n\n" +
          coverage_table();
+}
+
+std::string device_facts() {
+  return options_table() + "\n" + lens_table() + "\n" + unready_table() + "\n" + emulated_table();
 }
 
 }  // namespace fencepost::devices

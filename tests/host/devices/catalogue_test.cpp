@@ -189,10 +189,9 @@ TEST(Catalogue, CoverageHasALineForEachDeviceAndLink) {
     }
   }
   EXPECT_EQ(lines.size(), 2 + links + 1) << "heading, links, and a board's encoders";
-  EXPECT_TRUE(lines.contains("| `nxtcam` | NXT brick | `run` | `emulate` | yes | none | none: emulator only |"));
-  EXPECT_TRUE(lines.contains("| `xbc` | serial | `run` | `emulate` | not needed | `xbc` | none: emulator only |"));
-  EXPECT_NE(table.find("| `pixy2` | serial | `run` | `emulate` | not needed | `pixy2` | Arduino library"),
-            std::string::npos);
+  EXPECT_TRUE(lines.contains("| `nxtcam` | NXT brick | `emulate` | yes | none | none: emulator only |"));
+  EXPECT_TRUE(lines.contains("| `xbc` | serial | `emulate` |  | `xbc` | none: emulator only |"));
+  EXPECT_NE(table.find("| `pixy2` | serial | `emulate` |  | `pixy2` | Arduino library"), std::string::npos);
   // Every image of a board is in it, once.
   for (const config::DeviceInfo& camera : config::kCameras) {
     if (camera.port == config::Port::kConsole) continue;
@@ -232,6 +231,8 @@ void expect_written(const std::string& page, const std::string& now) {
 TEST(Catalogue, TheDocumentShowsIt) { expect_written("host/share/doc/devices.md", devices_document()); }
 
 TEST(Catalogue, TheResultsShowIt) { expect_written("tests/results/devices.md", devices_results()); }
+
+TEST(Catalogue, TheFactsOfThePagesShowIt) { expect_written("tests/host/devices/facts.txt", device_facts()); }
 
 }  // namespace
 }  // namespace fencepost::devices

@@ -1,11 +1,11 @@
-"""Facts of each device, from the tables of PAGES (the catalogue's), of PINS.md (the boards') and of firmware/config/devices.hpp."""
+"""Facts of each device, from the tables of PAGES (the catalogue wrote them), of PINS.md (the boards') and of firmware/config/devices.hpp."""
 
 import re
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-PAGES = ("host/share/doc/devices.md", "tests/results/devices.md")
+PAGES = ("host/share/doc/devices.md", "tests/results/devices.md", "tests/host/devices/facts.txt")
 PICOS = ("pico", "xrp", "pico2", "xrp2")
 BOARDS = ("pico", "xrp", "pico2", "xrp2", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
 
@@ -32,7 +32,7 @@ class Device:
     lens: list = field(default_factory=list)  # the row of its lens: image, across, focal length, lens, latency, source
     tells: str = ""  # emulate's words on it; empty: it is not emulated
     unready: str = ""
-    tried: list = field(default_factory=list)  # (link, driver, emulator, guest, board, others)
+    tried: list = field(default_factory=list)  # (link, emulator, guest, board, others)
 
 
 def cells_of(line):
@@ -73,19 +73,21 @@ def devices_of(sources):
     images = on_boards(sources)
     devices = {}
     for key, role in (("camera", "camera"), ("odometry", "odometry")):
-        for name, about, places, options, names in tables[key]:
+        for name, about, places, names in tables[key]:
             device = devices.setdefault(plain(name), Device(plain(name), about))
             setattr(device, role, True)
             device.places = re.findall(r"`([^`]+)`", places) or ([places] if places else [])
-            device.options = [part.strip() for part in options.replace("\\|", "|").split(";") if part.strip()]
             device.images += [images[n] for n in re.findall(r"`([^`]+)`", names) if images[n] not in device.images]
             if about not in device.about:
                 device.about += "; " + about
+    for name, options in tables["device options of `run`"]:
+        found = [part.strip() for part in options.replace("\\|", "|").split(";") if part.strip()]
+        devices[plain(name)].options += [option for option in found if option not in devices[plain(name)].options]
     for row in tables["camera image"]:
         devices[plain(row[0])].lens = row[1:]
     for name, why in tables["device why, or what to try"]:
         devices[plain(name)].unready = why
-    for name, _, tells, _ in tables["device"]:
+    for name, tells in tables["device what it can tell"]:
         base = plain(name).split(":")[0]
         if base in devices and not devices[base].tells:
             devices[base].tells = tells

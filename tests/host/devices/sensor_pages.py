@@ -1,13 +1,15 @@
 """usage: sensor_pages.py SOURCES [--write]
 
 The pages of host/share/doc/sensors, one a device. The text between `<!-- NAME -->` and `<!-- end -->` is made of the
-catalogue's and the boards' tables (device_facts.py); the rest is written by hand. Compares; with --write it renews those
-parts, the scenes beside the pages and the list of them. Exit status 1 if something differs, or a device has no page.
+catalogue's and the boards' tables (device_facts.py); the rest is written by hand. So is the table of all boards' wires in
+host/share/doc/boards.md. Compares; with --write it renews those parts and the scenes beside the pages. Exit status 1 if
+something differs, or a device has no page.
 """
 
 import json
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 from device_facts import Device, devices_of, lowest_address, page_of, pins_of
@@ -17,18 +19,7 @@ BY_HAND = ("## Set it up", "## Traps")
 SCENE_RATE = 12.5  # pictures a second: what any of them can
 PLACE_SHOWN = {"/dev/tty...": "/dev/ttyUSB0", "/dev/i2c-N": "/dev/i2c-1", "/dev/spidevN.M": "/dev/spidev0.0", "usb": "usb", "nxt": "nxt",
                "a CAN interface": "can0", "/dev/videoN": "/dev/video0", "FILM.y4m": "film.y4m"}
-LINK_SHOWN = {
-    "/dev/tty...": "a USB serial adapter of 3.3 V, RX and TX crossed; a Raspberry Pi's GPIO14 (TX), GPIO15 (RX): `/dev/serial0`",
-    "/dev/i2c-N": "a Raspberry Pi's GPIO2 (data), GPIO3 (clock): `/dev/i2c-1`",
-    "/dev/spidevN.M": "a Raspberry Pi's GPIO10 (MOSI), GPIO9 (MISO), GPIO11 (clock): `/dev/spidev0.0`",
-    "usb": "its own USB port",
-    "nxt": "a sensor port of the NXT brick that is the odometry",
-    "/dev/videoN": "a USB port, or the flat cable of a camera module; `v4l2-ctl --list-devices`",
-    "FILM.y4m": "a file",
-    "tcp:HOST:PORT": "a serial server, or an emulator",
-    "a CAN interface": "a CAN adapter: `ip link set can0 up type can bitrate 500000`",
-}
-FIVE_VOLTS = "a USB serial adapter of 5 V, RX and TX crossed; a Raspberry Pi's pins only behind a level shifter"
+FIVE_VOLTS = "a USB serial adapter of 5 V, RX and TX crossed"
 # Devices whose serial line needs another adapter than one of 3.3 V.
 OWN_LINE = {
     **{name: FIVE_VOLTS for name in ("cmucam1", "cmucam2", "avrcam", "create1", "create2")},
@@ -43,8 +34,13 @@ OWN_LINE = {
     "records": "the other controller's USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX",
 }
 PICTURES = ("/dev/videoN", "FILM.y4m")  # where a camera gets its colours from us
-SILENT = {"/dev/tty...": "power; the wires (its TX to our RX); the baud", "a CAN interface": "power, termination, bit rate: `candump can0`",
-          "/dev/videoN": "its cable; whether another program has it", "FILM.y4m": "it is over, or has not begun"}
+BOARDS_PAGE, WIRES_OF_BOARDS = "host/share/doc/boards.md", "wires"
+
+
+def paragraph(text, indent=""):
+    """Lines of at most 120 columns, with what stands in backticks on one of them."""
+    whole = re.sub(r"`[^`]*`", lambda match: match.group().replace(" ", "\0"), text)
+    return textwrap.fill(whole, 120, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
 
 
 def table(rows):
@@ -75,12 +71,12 @@ def facts(device, _pins, _sources):
         rows.append(["it tells", device.tells])
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
-        rows.append(["picture", f"{image}, {across} across, focal length {focal} px, {lens.split(',')[0]}"])
-        rows.append(["source", source])
+        rows.append(["lens", f"{across} across {image} px, focal length {focal} px, {lens.split(',')[0]}. {source[0].upper()}{source[1:]}"])
         rows.append(["latency", f"{latency} assumed, until [calibrated](../calibrate.md)"])
     if device.options:
         rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
-    rows += [[f"tried, {link}", f"board {board}; {others}" if board != "none" else others] for link, _, _, _, board, others in device.tried]
+    if device.tried:
+        rows.append(["tried with", "; ".join(f"{link}: {others.replace('none: ', '')}" for link, *_, others in device.tried)])
     return table(rows)
 
 
@@ -88,45 +84,59 @@ def pin(cell):
     return ", ".join(part for part in cell if part)
 
 
-def boards_with(device, pins, sources):
-    """Rows of the wiring tables: (board, wires, the line to type, speed or address)."""
+def line_pins(names, line):
+    return f"{pin(names[f'{line} receives'])}; {pin(names[f'{line} sends'])}" if f"{line} sends" in names else ""
+
+
+def wires_of_boards(pins):
+    """Where the boards have the wires of a device: the table of boards.md."""
+    rows = [["board", "camera's line: its TX to; its RX to", "base's line: its TX to; its RX to", "two-wire bus: data; clock"]]
+    for board, names in pins.items():
+        camera = line_pins(names, "camera")
+        rows.append([f"`{board}`", camera or "none", line_pins(names, "base") or (camera and "the camera's") or "none",
+                     f"{pin(names['bus data'])}; {pin(names['bus clock'])}"])
+    return table(rows)
+
+
+def own_pins(device, pins):
+    """The pins of what is on one board's port alone: encoders, the console."""
+    (image,) = device.images
+    found = {}
+    for board, names in pins.items():
+        if image.port == "kPins" and "left a" in names:
+            ends = ". ".join(f"{side.capitalize()} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
+        elif image.port == "kConsole" and "console sends" in names:
+            ends = f"its TX to {pin(names['console receives'])}; its RX to {pin(names['console sends'])}"
+        else:
+            continue
+        found.setdefault(ends, []).append(f"`{board}`")
+    return table([["board", "wires, and ground to ground"], *[[", ".join(names), ends] for ends, names in found.items()]])
+
+
+def on_board(device, pins, sources):
+    """The lines to type, for each of the device's ports."""
     for image in device.images:
         typed = f"`set {kind(device)} {image.name}`"
-        for board, names in pins.items():
-            if image.port == "kLine" and "camera sends" in names:
-                line = "camera" if device.camera or "base sends" not in names else "base"
-                ends = [pin(names[f"{line} receives"]), pin(names[f"{line} sends"])]
-                yield board, f"its TX to {ends[0]}; its RX to {ends[1]}", typed, f"{image.speed} baud"
-            elif image.port == "kTwoWire" and "bus data" in names:
-                ends = f"data to {pin(names['bus data'])}; clock to {pin(names['bus clock'])}"
-                refused = image.address < lowest_address(sources, board)
-                yield (board, "this board's bus cannot speak to its address", "", f"address {image.address:#04x}") if refused else (
-                    board, ends, typed, f"address {image.address:#04x}")
-            elif image.port == "kPins" and "left a" in names:
-                sides = ". ".join(f"{side.capitalize()} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
-                yield board, sides, typed, ""
-            elif image.port == "kConsole" and "console sends" in names:
-                yield board, f"its TX to {pin(names['console receives'])}; its RX to {pin(names['console sends'])}", typed, "115200 baud"
+        if image.port == "kLine":
+            yield f"{typed} ({'camera' if device.camera else 'base'}'s line, {image.speed} baud)"
+        elif image.port == "kTwoWire":
+            refused = [f"`{board}`" for board in pins if image.address < lowest_address(sources, board)]
+            yield f"{typed} (two-wire bus, address {image.address:#04x}{', not on ' * bool(refused)}{', '.join(refused)})"
 
 
 def wires(device, pins, sources):
-    parts = []
-    if device.places:
-        parts.append(table([["`KIND:PLACE` on Linux", "wires"],
-                            *[[f"`{device.name}:{place if 'CAN' not in place else 'can0'}`",
-                               OWN_LINE.get(device.name, LINK_SHOWN[place]) if place == "/dev/tty..." else LINK_SHOWN[place]]
-                              for place in device.places]]))
-    images = {}
-    for board, ends, typed, how in boards_with(device, pins, sources):
-        images.setdefault((typed, how), {}).setdefault(ends, []).append(f"`{board}`")
-    for (typed, how), boards in images.items():
-        heads = [f"board; type {typed}" if typed else "board", ", ".join(["wires, and ground to ground", *[how] * bool(how)])]
-        parts.append(table([heads, *[[", ".join(names), ends] for ends, names in boards.items()]]))
-    if images:
-        parts.append("A 5 V signal needs a level shifter to a board's 3.3 V (`hal/boards/PINS.md` of the sources).")
+    links = []
+    if device.name in OWN_LINE:
+        links.append(f"On Linux its serial line is {OWN_LINE[device.name]}.")
+    elif device.places and device.places[0] not in ("a CAN interface", *PICTURES):
+        links.append("On Linux: [which wires](../live.md#devices).")
+    if not device.images:
+        links.append("It is for `run`: no board has it.")
+    elif device.images[0].port in ("kLine", "kTwoWire"):
+        links.append(f"On a board ([pins](../boards.md#a-devices-wires)): {' or '.join(on_board(device, pins, sources))}.")
     else:
-        parts.append("No board's image has it: it is for `run`, on Linux.")
-    return "\n\n".join(parts)
+        return own_pins(device, pins)
+    return paragraph(" ".join(links))
 
 
 def unsettled(device):
@@ -173,34 +183,23 @@ def run(device, _pins, _sources):
     shown = emulation(device)
     if shown:
         truth = f"{device.name}.json" if device.lens else "pixy2.json"
-        parts.append(f"Emulated, in two terminals at the top of the sources ([scene and robot file]({truth}): a red box 1.8 m ahead):")
+        parts.append(f"Emulated, in two terminals at the top of the sources ([scene]({truth}): a red box 1.8 m ahead):")
         parts.append("\n".join("    " + line for line in shown))
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
     lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json{colours(line_of(device))}"]
     lines += ["    " + line for line in places_lines(device)]
     if lines:
-        parts.append("With the device ([robot file](../live.md)):\n\n" + "\n".join(lines))
-    if device.images:
-        name = device.images[0].name
-        parts.append("On a board: the line above, typed on its [console](../console.md), or written into its image:\n\n"
-                     f"    fencepost configure fencepost-VERSION-pico.uf2 --{kind(device)} {name} --robot robot.json -o MINE.uf2")
+        parts.append("With the device ([robot file](../live.md#robot-file)):\n\n" + "\n".join(lines))
+    if device.name == "encoders":
+        parts.append("The settings above, typed on a board's [console](../console.md), or [written into its image](../boards.md#cameras).")
     return "\n\n".join(parts)
 
 
 def wrong(device, _pins, _sources):
     if not device.places:
-        return "`status` on the [console](../console.md) says how its link is: `ok`, `empty`, `unready`, `silent`."
-    place = line_of(device)
-    spec = f"{device.name} at {PLACE_SHOWN[place]}"
-    seen = "30 frames a second, 1.0 blobs each" if device.camera else "50 poses a second"
-    rows = [["`fencepost doctor` says", "it means, or what to try"], [f"`{spec} works: {seen}`", "good"]]
-    if device.camera:
-        rows.append([f"`{spec} works and sees nothing`", "no taught colour in view: light, or teach it again"])
-    rows.append([f"`{spec} answers but is not ready`", device.unready])
-    address = "; on the two-wire bus the address: `i2cdetect -y 1`" if "/dev/i2c-N" in device.places else ""
-    rows.append([f"`{spec} is silent`", SILENT[place] + address])
-    return table(rows) + "\n\nWrong baud, no port, no permission, port in use: [doctor](../doctor.md)."
+        return "- [Cables](../console.md#cables) says what `status` reports of its link."
+    return paragraph(f"- It *answers but is not ready* ([doctor](../doctor.md#devices)): {device.unready}.", "  ")
 
 
 def scene_of(device):
@@ -222,13 +221,15 @@ def scene_of(device):
 MAKERS = {"facts": facts, "wires": wires, "run": run, "wrong": wrong}
 
 
+def part_put(text, name, made):
+    return re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda match: match.group(1) + made + "\n" + match.group(2), text, flags=re.DOTALL)
+
+
 def renewed(text, device: Device, pins, sources):
     """(the page with its parts made anew, the parts that it lacks)"""
     lacks = [f"<!-- {name} -->" for name in SECTIONS if f"<!-- {name} -->" not in text] + [head for head in BY_HAND if head not in text]
     for name in SECTIONS:
-        made = MAKERS[name](device, pins, sources)
-        text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda match, made=made: match.group(1) + made + "\n" + match.group(2), text,
-                      flags=re.DOTALL)
+        text = part_put(text, name, MAKERS[name](device, pins, sources))
     return text, lacks
 
 
@@ -248,6 +249,11 @@ def files_of(sources):
             made[page.with_name(f"{device.name}.json")] = scene_of(device)
     there = {path for path in (sources / "host/share/doc/sensors").iterdir()}
     faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]
+    boards = sources / BOARDS_PAGE
+    text = boards.read_text(encoding="utf-8")
+    if f"<!-- {WIRES_OF_BOARDS} -->" not in text:
+        faults.append(f"{boards.name} lacks <!-- {WIRES_OF_BOARDS} -->")
+    made[boards] = part_put(text, WIRES_OF_BOARDS, wires_of_boards(pins))
     return made, faults
 
 

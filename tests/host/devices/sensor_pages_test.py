@@ -11,7 +11,7 @@ import sensor_pages
 import sensor_runs
 
 SOURCES = pathlib.Path(sys.argv.pop(1)).resolve()
-READ = (*device_facts.PAGES, "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/cameras.hpp",
+READ = (*device_facts.PAGES, sensor_pages.BOARDS_PAGE, "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/cameras.hpp",
         "firmware/config/devices.hpp", "host/share/wiring/draw.py")
 
 
@@ -43,9 +43,9 @@ class Planted(unittest.TestCase):
         plants = {
             "pixy2 has no page": lambda: (self.pages / "pixy2.md").unlink(),
             "old.md is of no device": lambda: (self.pages / "old.md").write_text(""),
-            "pixy2.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
+            "boards.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
             "cmucam4.md": lambda: self.edit("firmware/config/cameras.hpp", '"cmucam4", kLine, 19\'200', '"cmucam4", kLine, 38\'400'),
-            "huskylens.json": lambda: self.edit("tests/results/devices.md", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
+            "huskylens.json": lambda: self.edit("tests/host/devices/facts.txt", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
             "xbc.md lacks <!-- wires -->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!-- wires -->", ""),
             "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
             "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--seconds 14", "--seconds 1"),
@@ -57,12 +57,13 @@ class Planted(unittest.TestCase):
                 self.setUp()
 
     def test_a_sentence_is_compared_without_its_numbers(self):
-        page = (self.pages / "pixy2.md").read_text(encoding="utf-8")
-        pattern = sensor_runs.sentence(page, "works:")
+        page = (SOURCES / sensor_runs.SENTENCES).read_text(encoding="utf-8")
+        pattern = sensor_runs.sentence(page, "pixy2", "works:", "frames")
         self.assertRegex("note     pixy2 at ./camera works: 9 frames a second, 1.3 blobs each", pattern)
         self.assertNotRegex("note     pixy2 at ./camera works and sees nothing", pattern)
+        self.assertNotRegex("note     pixy1 at ./camera works: 9 frames a second, 1.3 blobs each", pattern)
         with self.assertRaises(sensor_runs.Wrong):
-            sensor_runs.sentence(page, "is on fire")
+            sensor_runs.sentence(page, "pixy2", "is on fire")
 
 
 unittest.main()

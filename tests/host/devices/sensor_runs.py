@@ -2,7 +2,7 @@
 
 Runs what the pages of host/share/doc/sensors show of each device: emulate and run in two terminals, replay --check of
 the log, and doctor. Doctor looks at the emulated device and at a port where nobody answers; its sentences have to be
-those of the page. NAMEs: these alone.
+those of doctor.md. NAMEs: these alone.
 """
 
 import os
@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from shown_place import shown_place  # noqa: E402
 
 PATIENCE = 3600  # s of the stage, whose clock may jump while a program starts
+SENTENCES = "host/share/doc/doctor.md"
 START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
 
 
@@ -68,16 +69,16 @@ def drive(emulate, run, program, sources):
         expect(said, [r"check passed: [1-9]\d* logged records agree"], "fencepost replay --check run.log")
 
 
-def sentence(page, says):
-    """Doctor's sentence in the page's table, as a pattern: of any place and with any numbers."""
-    shown = re.search(rf"^\| `(\S+ at \S+ {says}[^`]*)`", page, re.MULTILINE)
+def sentence(page, name, says, of=""):
+    """Doctor's sentence on the device in the page's table, as a pattern: at any place and with any numbers."""
+    shown = re.search(rf"`DEVICE at PLACE ({says}[^`]*{of}[^`]*)`", page)
     if not shown:
-        raise Wrong(f"the page has no sentence '{says}'")
-    pattern = re.sub(r"\d+(\\\.\d+)?", r"[\\d.]+", re.escape(re.sub(r" at \S+", " at PLACE", shown.group(1))))
-    return pattern.replace("PLACE", r"\S+")
+        raise Wrong(f"{SENTENCES} has no sentence '{says}'")
+    return re.escape(name) + r" at \S+ " + re.sub(r"\d+(\\\.\d+)?", r"[\\d.]+", re.escape(shown.group(1)))
 
 
-def examine(device, emulate, page, program, sources):
+def examine(device, emulate, program, sources):
+    page = (sources / SENTENCES).read_text(encoding="utf-8")
     scene = next(word for word in emulate.split() if word.endswith(".json"))
     end = "camera" if device.camera else "wheels"
     with shown_place(program, sources) as (folder, environment):
@@ -90,14 +91,14 @@ def examine(device, emulate, page, program, sources):
         finally:
             beside.terminate()
             beside.communicate(timeout=PATIENCE)
-        expect(said, [sentence(page, "works:")], doctor)
+        expect(said, [sentence(page, device.name, "works:", "frames" if device.camera else "poses")], doctor)
         master, slave = pty.openpty()  # a port, and nobody behind it
         os.symlink(os.ttyname(slave), Path(folder) / "nobody")
         os.close(slave)
         silent = f"fencepost doctor --{kind(device)} {device.name}:./nobody --robot {scene}"
         said = start(silent, folder, environment).communicate(timeout=PATIENCE)[0]
         os.close(master)
-        expect(said, ["^FAULT .*" + sentence(page, "is silent`"[:-1])], silent)
+        expect(said, ["^FAULT .*" + sentence(page, device.name, "is silent")], silent)
 
 
 def play_a_log(page, program, sources):
@@ -132,7 +133,7 @@ def fault_of(device, program, sources):
         return f"{device.name}: its page shows no emulate and run"
     try:
         drive(*shown, program, sources)
-        examine(device, shown[0], page, program, sources)
+        examine(device, shown[0], program, sources)
     except Wrong as wrong:
         return f"{device.name}: {wrong}"
     return None
