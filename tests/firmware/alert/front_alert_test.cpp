@@ -33,13 +33,13 @@ class Fronts : public testing::Test {
 
 TEST_F(Fronts, NearInTheWayWarnsAndStops) {
   EXPECT_EQ(see().due, AlertLevel::kClear);
-  put(510, 0);
+  put(501, 0);
   EXPECT_EQ(see().due, AlertLevel::kClear);
-  put(490, 0);
+  put(500, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
-  put(265, 0);
+  put(263, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
-  put(261, 0);  // 0.25 m and three sigmas of the pose
+  put(262, 0);  // 0.25 m and three sigmas of the pose
   EXPECT_EQ(see().due, AlertLevel::kStop);
 }
 
@@ -68,10 +68,10 @@ TEST_F(Fronts, BesideTheWaySaysNothing) {
 }
 
 TEST_F(Fronts, ConfirmAnObjectWhosePlaceIsAGuess) {
-  put(361, 0);  // 0.25 m, by 0.4 of it more, and three sigmas of the pose
+  put(362, 0);  // 0.25 m, by 0.4 of it more, and three sigmas of the pose
   EXPECT_TRUE(see().something);
   fronts_.clear();
-  put(364, 0);
+  put(363, 0);
   EXPECT_FALSE(see().something);
   fronts_.clear();
   put(240, 145);  // in the outermost of the margin
@@ -130,10 +130,14 @@ TEST_F(Fronts, AreWithinReachAsFloatsHaveIt) {
 }
 
 TEST_F(Fronts, TheHysteresisHolds) {
-  put(560, 0);
+  put(576, 0);
+  EXPECT_EQ(see().held, AlertLevel::kClear);
+  put(575, 0);
   EXPECT_EQ(see().due, AlertLevel::kClear);
   EXPECT_EQ(see().held, AlertLevel::kWarn);
-  put(290, 0);
+  put(301, 0);
+  EXPECT_EQ(see().held, AlertLevel::kWarn);
+  put(299, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
   EXPECT_EQ(see().held, AlertLevel::kStop);
 }
@@ -141,11 +145,11 @@ TEST_F(Fronts, TheHysteresisHolds) {
 // At 0.5 m/s the body, 0.1 m to each side, is 0.8 s before contact at 0.5 m. The next frame is 0.05 m nearer.
 TEST_F(Fronts, ComesSoonWhenTheRobotIsFast) {
   path_.motion.forward = 0.5F;
-  put(502, 0);
+  put(501, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
-  put(498, 0);
+  put(500, 0);
   EXPECT_EQ(see().due, AlertLevel::kStop);
-  EXPECT_NEAR(see().nearest.ttc, (0.498F - 0.1F) / 0.5F, 1e-3F);
+  EXPECT_NEAR(see().nearest.ttc, (0.5F - 0.1F) / 0.5F, 1e-3F);
 }
 
 TEST_F(Fronts, WhatIsBehindMattersToARobotThatReverses) {
@@ -160,18 +164,18 @@ TEST_F(Fronts, WhatIsBehindMattersToARobotThatReverses) {
 TEST_F(Fronts, ALongBodyMovesTheThresholds) {
   path_.front = 0.25F;
   path_.rear = 0.30F;
-  put(415, 0);
+  put(413, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
-  put(411, 0);
+  put(412, 0);
   EXPECT_EQ(see().due, AlertLevel::kStop);
-  EXPECT_NEAR(see().nearest.distance, 0.411F, 2e-3F) << "from the origin, as ever";
+  EXPECT_NEAR(see().nearest.distance, 0.412F, 1e-3F) << "from the origin, as ever";
   fronts_.clear();
   path_.motion.forward = -0.09F;
-  put(-475, 0);
+  put(-472, 0);
   EXPECT_EQ(see().due, AlertLevel::kWarn);
-  put(-470, 0);
+  put(-471, 0);
   EXPECT_EQ(see().due, AlertLevel::kStop);
-  EXPECT_NEAR(see().nearest.ttc, (0.470F - 0.3F) / 0.09F, 1e-2F);
+  EXPECT_NEAR(see().nearest.ttc, (0.471F - 0.3F) / 0.09F, 1e-3F);
 }
 
 TEST_F(Fronts, WhatACornerHitsStops) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <tuple>
 
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"
@@ -95,17 +98,17 @@ TEST(Sectors, AThingIsKnownWhereTheFloorIsNot) {
   EXPECT_NEAR(sectors.range(18).value_or(0), 450, 3);
 }
 
+// To the left, 17.5 degrees to each side; two sigmas nearer.
 TEST(Sectors, ACylinderReachesOverSectors) {
   recon::Object<config::Small> object;
-  static_cast<recon::ObjectCore&>(object) = known_object(0, 1.0, 0.3);  // to the left: 17.5 degrees to each side
+  static_cast<recon::ObjectCore&>(object) = known_object(0, 1.0, 0.3);
   Sectors sectors({}, kHome, 150);
   sectors.add(object, alert::RobotPlace(kHome));
-  for (const std::size_t k : {8U, 9U, 10U}) {
-    EXPECT_LE(sectors.range(k).value_or(9999), 700) << k;
-    EXPECT_GT(sectors.range(k).value_or(0), 600) << k;
+  const int nearest = static_cast<int>(700 - 2000 * object.cylinder.estimate().outline_sigma());
+  for (std::size_t k = 0; k < kSectors; ++k) {
+    ASSERT_EQ(sectors.range(k).has_value(), k >= 7 && k <= 11) << k;
+    EXPECT_NEAR(sectors.range(k).value_or(nearest), nearest, 2) << k;
   }
-  EXPECT_FALSE(sectors.range(6));
-  EXPECT_FALSE(sectors.range(12));
   object.id = 0;
   Sectors none({}, kHome, 150);
   none.add(object, alert::RobotPlace(kHome));
@@ -129,19 +132,59 @@ TEST(Sectors, AnOutlineHasARangeForEachSector) {
       if (exact > 1000) continue;
       ASSERT_TRUE(sectors.range(sector)) << degree;
       EXPECT_LE(*sectors.range(sector), exact + 1) << degree;
-      EXPECT_GE(*sectors.range(sector), 0.6 * exact) << degree;
+      const double middle = 10.0 * static_cast<double>(sector) + heading;
+      const double near = std::clamp(std::remainder(-90 - middle, 360.0), -5.0, 5.0) + middle;
+      EXPECT_GE(*sectors.range(sector), -500 / std::sin(near * kDegree) - 95)
+          << degree << ": a piece of 0.1 m, two sigmas";
     }
     const auto beside = static_cast<std::size_t>(std::floor((-90 - heading + 725) / 10.0)) % kSectors;
     EXPECT_NEAR(*sectors.range(beside), 490, 12);
   }
 }
 
+// A box 0.1 m deep and 0.2 m wide, 1 m away: its disc of 0.11 m reaches 6.5 degrees to either side. It is nearer by two
+// sigmas, and by 10 mm since its directions are 5.6 degrees apart.
+TEST(Sectors, ASmallOutlineHasTheRangeOfItsNearestSide) {
+  for (const auto& [x, y, sector] : {std::tuple(1.0, 0.0, 0), {-1.0, 0.0, 18}}) {
+    recon::Object<config::Small> object;
+    static_cast<recon::ObjectCore&>(object) = known_object(x, y, 0.1);
+    BoxOutline(0.1F, 0.2F, 0.005F).put_into(object.hybrid(), pose_at(x, y, 0).position);
+    Sectors sectors({}, kHome, 150);
+    sectors.add(object, alert::RobotPlace(kHome));
+    for (int k = -3; k <= 3; ++k) {
+      const auto range = sectors.range(static_cast<std::size_t>(sector + k + 36) % kSectors);
+      ASSERT_EQ(range.has_value(), std::abs(k) <= 1) << sector << " " << k;
+      EXPECT_NEAR(range.value_or(930), 1000 - 50 - 10 - 10, 2) << sector << " " << k;
+    }
+  }
+}
+
+// 1.5 m; and 0.2 m of floor before a thing need not have been seen.
+TEST(Sectors, ARangeIsKnownToItsEnds) {
+  const auto range = [](const recon::guard::SeenFloor& floor, int mm) {
+    Sectors sectors(floor, kHome, 150);
+    const recon::guard::Front front = front_at(0.001 * (mm + 50), 0);
+    sectors.add({&front, 1}, {});
+    return sectors.range(0);
+  };
+  EXPECT_EQ(range({}, 1'500), 1'500);
+  EXPECT_FALSE(range({}, 1'501));
+  const recon::guard::SeenFloor floor = floor_seen(pose_at(-1, 0, 0), {0});
+  const int free = Sectors(floor, kHome, 150).range(0).value_or(0);
+  ASSERT_GT(free, 300);
+  EXPECT_EQ(range(floor, free + 200), free + 200);
+  EXPECT_EQ(range(floor, free + 201), free);
+}
+
 TEST(Sectors, InsideAThingAllRangesAreZero) {
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(0.1, 0, 0.3);
-  Sectors sectors({}, kHome, 150);
-  sectors.add(object, alert::RobotPlace(kHome));
-  for (std::size_t k = 0; k < kSectors; ++k) EXPECT_EQ(sectors.range(k), 0) << k;
+  const recon::guard::Front front = front_at(0.03, 0.03);
+  for (const bool object_there : {false, true}) {
+    Sectors sectors({}, kHome, 150);
+    object_there ? sectors.add(object, alert::RobotPlace(kHome)) : sectors.add({&front, 1}, {});
+    for (std::size_t k = 0; k < kSectors; ++k) EXPECT_EQ(sectors.range(k), 0) << k;
+  }
 }
 
 }  // namespace
