@@ -167,6 +167,7 @@ TEST(FreeWays, APillarIsPassedOnTheSideThatItAsksFor) {
   EXPECT_EQ(until(0.6, 0.5, right, kStraight), -1);
   EXPECT_EQ(until(0.6, -0.5, left, kStraight), -1);
   EXPECT_EQ(until(0.05, 0.5, left, kStraight), 0) << "beside it";
+  EXPECT_NEAR(until(0.06, 0.3, left, kSharpLeft), 0, 3e-3) << "nearer to the pivot than the front";
   EXPECT_EQ(until(-0.1, 0.5, left, kStraight), -1) << "passed";
   EXPECT_EQ(until(0.6, 1.6, left, kStraight), -1) << "farther aside than floor is known";
   EXPECT_EQ(until(-0.6, 0, left, kBack), until(-0.6, 0, any, kBack)) << "only on the way ahead";

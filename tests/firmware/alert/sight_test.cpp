@@ -267,6 +267,10 @@ TEST(Sight, AQuickCameraThatWasLateOnceIsHeldToTheShortTime) {
   inputs.run(0.1);
   inputs.frozen = true;
   EXPECT_LE(inputs.seconds_until(Blindness::kFrozen), 0.24);
+  Inputs steady = repeating(0.18);
+  steady.run(2);
+  steady.frozen = true;
+  EXPECT_LE(steady.seconds_until(Blindness::kFrozen), 0.22) << "it was never late";
 }
 
 TEST(Sight, ImagesThatAreSlowerThanOneMayDriveByAreSaidEachTime) {
@@ -299,6 +303,10 @@ TEST(Sight, WhatCannotChangeIsNotFrozen) {
   wavering.run(1);
   wavering.heading = -3.14155;
   EXPECT_EQ(wavering.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nor there";
+  Inputs no_floor;  // no row says how far a foot is
+  no_floor.camera.height = 0;
+  no_floor.frozen = true;
+  EXPECT_EQ(no_floor.seconds_until(Blindness::kFrozen), Inputs::kNever) << "a way straight on does not show";
   Inputs empty;
   empty.world.clear();
   EXPECT_EQ(empty.seconds_until(Blindness::kFrozen), Inputs::kNever) << "nothing is there";

@@ -204,6 +204,8 @@ TEST(Footprint, TheTailSwingsOut) {
   EXPECT_FALSE(area.contains(-200, -208));
   EXPECT_FALSE(area.contains(-301, -120)) << "behind its corner";
   EXPECT_FALSE(area.contains(-200, 130)) << "the inner side draws away";
+  EXPECT_FALSE(area.contains(0, 130));
+  EXPECT_TRUE(area.contains(1, 130));
   EXPECT_TRUE(area.contains(541, 350 + 20)) << "a quarter of a circle on, the corner comes by";
   const SweptArea right(body_of(0.1F, 0.3F, 0.2F, -0.2F / 0.35F), 0);
   EXPECT_TRUE(right.contains(-200, 204));

@@ -181,6 +181,39 @@ TEST(Console, StatusOfARobotThatHasSeenNothing) {
             "objects 0 of 4, confirmed 0; digest cbf29ce484222325\r\n");
 }
 
+TEST(Console, StatusSaysTheHeadingOnACompass) {
+  Desk<> desk;
+  double t = 1;
+  for (const auto& [turned, said] : {std::pair(179.0, "179"),
+                                     {180.0, "180"},
+                                     {181.0, "-179"},
+                                     {-179.0, "-179"},
+                                     {-180.0, "180"},
+                                     {-181.0, "179"},
+                                     {540.0, "180"},
+                                     {725.0, "5"}}) {
+    sensor::OdometrySample sample = desk_odometry(t += 0.1);
+    sample.heading = base::Radians::nearest(turned * 3.14159265 / 180);
+    desk.type_line(line_of(sample));
+    const std::string status = desk.type_line("status");
+    EXPECT_NE(status.find("heading " + std::string(said) + " deg"), std::string::npos) << turned << status;
+  }
+}
+
+TEST(Console, StatusRecordHasEachCounter) {
+  console::Counters counters;
+  counters.frames = 1;
+  counters.blobs = 2;
+  counters.blobs_dropped = 3;
+  counters.odometry = 4;
+  counters.rejected = 5;
+  counters.refused = {6, 7, 8, 9};
+  counters.records_dropped = 10;
+  counters.loop_us_max = 11;
+  const record::StatusReport report = console::report_status({12}, counters, 13);
+  EXPECT_EQ(line_of(report), record::sealed("FPSTA,0.0012,1,2,3,4,5,30,10,13,11") + "\r\n");
+}
+
 TEST(Console, ObjectsAndMapSayWhatIsMissing) {
   Desk<> desk;
   EXPECT_EQ(desk.type_line("objects"), "no objects: no odometry came in\r\n");
@@ -221,6 +254,7 @@ TEST(Console, SettingsAreSetAndGot) {
             "alert.stop = 0.25 m (0.00..10.00 m), in the path and this near: stop\r\n");
   EXPECT_EQ(desk.type_line("set alert.stop 0.3"), "alert.stop = 0.30 m\r\n");
   EXPECT_EQ(desk.type_line("set alert.stop = 0.35 m"), "alert.stop = 0.35 m\r\n");
+  EXPECT_EQ(desk.type_line("set\talert.stop\t0.35"), "alert.stop = 0.35 m\r\n");
   EXPECT_EQ(desk.type_line("get alert.stop").substr(0, 19), "alert.stop = 0.35 m");
   EXPECT_EQ(desk.type_line("set correct.pose on"), "correct.pose = on\r\n");
   EXPECT_EQ(desk.type_line("get correct.pose"),

@@ -64,7 +64,9 @@ TEST_F(GoingBumper, StandsAfterASecondWithoutWay) {
 
 TEST_F(GoingBumper, StandsWhenItTurnsOrGoesBackwards) {
   EXPECT_TRUE(bumper.judge(true, true, at(0.01, 0, 44), at_ms(100)));
-  EXPECT_FALSE(bumper.judge(true, true, at(0.01, 0, -46), at_ms(105)));
+  EXPECT_TRUE(bumper.judge(true, true, recon::MapPose{{1'000, 0}, 785'000}, at_ms(102)));
+  EXPECT_TRUE(bumper.judge(true, true, recon::MapPose{{1'000, 0}, -785'000}, at_ms(104)));
+  EXPECT_FALSE(bumper.judge(true, true, recon::MapPose{{1'000, 0}, -785'001}, at_ms(105)));
   EXPECT_EQ(bumper.take_standstill(), Standstill::kTurned);
   EXPECT_TRUE(bumper.judge(true, true, at(1, 1, 90), at_ms(200)));
   EXPECT_TRUE(bumper.judge(true, true, at(1, 0.98, 90), at_ms(300))) << "a gear's play";

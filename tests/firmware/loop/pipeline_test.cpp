@@ -156,8 +156,10 @@ TEST(Pipeline, WithoutCalibrationFramesAreRefused) {
   Bench bench;
   bench.pipeline.start_run(bench.header);
   bench.pipeline.accept(odometry(1.0));
-  bench.pipeline.accept(frame(1.0, 1));
+  bench.pipeline.accept(frame(1.1, 1));
   EXPECT_EQ(bench.refused(Refusal::kNoCamera), 1U);
+  EXPECT_EQ(bench.pipeline.stream_time(), Time::nearest(1.1)) << "time goes on";
+  EXPECT_EQ(bench.pipeline.accept(frame(1.1, 2)), record::Reject::kTime);
 }
 
 TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {

@@ -34,6 +34,27 @@ TEST(Throttle, GivesWhatIsWantedWhileNothingLimitsIt) {
   EXPECT_EQ(throttle.judge(30, INT16_MAX, 0.3F, at_ms(2'005)), 30);
 }
 
+// A sixteenth of a percent is the least step; an eighth less above the limit, 1/32 and one more below 3/4 of it.
+TEST(Throttle, ChangesOnceInATenthOfASecond) {
+  struct Row {
+    float speed;
+    std::int32_t after, later;
+  };
+  for (const Row& row : {Row{0.2F, 40, 40}, {0.201F, 35, 30}, {-0.201F, 35, 30}, {0.15F, 40, 40}}) {
+    Throttle throttle;
+    EXPECT_EQ(throttle.judge(40, 200, row.speed, at_ms(0)), 40);
+    EXPECT_EQ(throttle.judge(40, 200, row.speed, at_ms(99)), 40) << row.speed;
+    EXPECT_EQ(throttle.judge(40, 200, row.speed, at_ms(100)), row.after) << row.speed;
+    EXPECT_EQ(throttle.judge(40, 200, row.speed, at_ms(199)), row.after) << row.speed;
+    EXPECT_EQ(throttle.judge(40, 200, row.speed, at_ms(200)), row.later) << row.speed;
+  }
+  Throttle slow;
+  static_cast<void>(slow.judge(64, 200, 0.3F, at_ms(0)));
+  EXPECT_EQ(slow.judge(64, 200, 0.3F, at_ms(100)), 56);
+  EXPECT_EQ(slow.judge(64, 200, 0.151F, at_ms(200)), 56) << "fast enough";
+  EXPECT_EQ(slow.judge(64, 200, 0.149F, at_ms(300)), 57) << "896 + 28 + 1 sixteenths";
+}
+
 TEST(Throttle, FollowsALimitThatFalls) {
   for (const double per_percent : {0.004, 0.01, 0.02}) {
     Throttle throttle;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -215,6 +216,40 @@ TEST(CameraIds, AreKeptInSixBits) {
   std::vector<int> kept;
   for (const recon::WaitingBlob& blob : recon::make_waiting(frame, 0).blobs) kept.push_back(blob.track);
   EXPECT_EQ(kept, (std::vector<int>{0, 1, 63, 1, 15}));
+}
+
+// However a camera lists them: by signature, x1, y1, x2, y2, whether they have a width, and id.
+TEST(CameraIds, AreLastInTheOrderOfBlobs) {
+  std::vector<recon::WaitingBlob> ordered;
+  for (unsigned i = 0; i < 14; ++i) {
+    const auto bit = [i](unsigned k) { return static_cast<std::int16_t>(i < 7 ? i == k : i - 7 != k); };
+    recon::WaitingBlob blob{{bit(1), bit(2), bit(3), bit(4)}, static_cast<std::uint8_t>(bit(0)), false, bit(5) != 0};
+    blob.track = static_cast<std::uint8_t>(bit(6)) & 1U;
+    ordered.push_back(blob);
+  }
+  const auto key = [](const recon::WaitingBlob& b) {
+    return std::array<int, 7>{b.signature, b.box.x1, b.box.y1, b.box.x2, b.box.y2, b.bearing, b.track};
+  };
+  const auto before = [&](const auto& a, const auto& b) { return key(a) < key(b); };
+  std::sort(ordered.begin(), ordered.end(), before);
+  std::mt19937 random(3);
+  for (int times = 0; times < 20; ++times) {
+    std::vector<recon::WaitingBlob> listed = ordered;
+    std::shuffle(listed.begin(), listed.end(), random);
+    recon::WaitingFrame frame;
+    for (const recon::WaitingBlob& blob : listed) ASSERT_TRUE(frame.blobs.push_back(blob));
+    recon::put_in_order(frame);
+    for (std::size_t i = 0; i < ordered.size(); ++i) EXPECT_EQ(key(frame.blobs[i]), key(ordered[i])) << i;
+  }
+}
+
+TEST(CameraIds, AreThoseOfBlobsWithoutAWidthToo) {
+  recon::WaitingBlob blob{{100, 80, 100, 120}, 1, false, true};
+  blob.track = 5;
+  recon::Observations seen;
+  recon::observe({&blob, 1}, recon::make_camera_model(level_pixy2()), seen);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].track, 5);
 }
 
 TEST(CameraIds, SpeakForAPairOrAgainstIt) {

@@ -70,6 +70,16 @@ TEST(Pieces, BehindAPostAreJoined) {
   EXPECT_TRUE(is_edge(frame.observations[0].right));
 }
 
+TEST(Pieces, OfOneIdKeepIt) {
+  for (const unsigned other : {5U, 6U}) {
+    Frame frame{{{100, 80, 120, 120}, 1}, {{136, 81, 150, 119}, 1}, {{121, 60, 135, 170}, 2}};
+    frame.blobs[0].track = 5;
+    frame.blobs[1].track = static_cast<std::uint8_t>(other) & recon::kMaxTrack;
+    recon::join(frame.blobs, frame.find({}));
+    EXPECT_EQ(unsigned{frame.blobs[0].track}, other == 5 ? 5U : 0U);
+  }
+}
+
 TEST(Pieces, WithNothingBetweenStayTwo) {
   for (const WaitingBlob& other : {WaitingBlob{{121, 60, 128, 170}, 2},      // does not fill the gap
                                    WaitingBlob{{121, 60, 135, 100}, 2},      // ends above them: it stands farther away
