@@ -6,7 +6,6 @@
 
 #include "firmware/config/devices.hpp"
 #include "host/devices/catalogue.hpp"
-#include "host/text/device_word.hpp"
 
 namespace fencepost::devices {
 namespace {
@@ -55,41 +54,30 @@ std::string guest(PlaceKind link, const Tried& tried) {
   return link == kTty ? "" : kNothing;
 }
 
-std::string boards(const Row& row, PlaceKind link) {
-  std::vector<std::string> names;
-  for (const std::string& image : row.images) {
-    const config::Port port = *row.role == Role::kCamera ? config::info(config::camera_named(image)).port
-                                                         : config::info(config::odometry_named(image)).port;
-    const bool here = (port == config::Port::kLine && link == kTty) || (port == config::Port::kTwoWire && link == kI2c);
-    if (here) names.push_back("`" + image + "`");
-  }
-  return names.empty() ? kNothing : host::listed(names);
-}
-
 std::string others(const Row& row, PlaceKind link, const Tried& tried) {
   if (!tried.others.empty()) return tried.others;
   const bool anything = is_played(row, link) || !tried.bench.empty() || !tried.guest.empty();
-  return anything ? "none: emulator only" : "none: not tried at all";
+  return anything ? "emulator only" : "not tried at all";
 }
 
 }  // namespace
 
 std::string coverage_table() {
   std::string text =
-      "| device | link | emulator | guest kernel | board | other people's software |\n"
-      "|---|---|---|---|---|---|\n";
+      "| device | link | emulator | guest kernel | other people's software |\n"
+      "|---|---|---|---|---|\n";
   for (const Row& row : catalogue()) {
     if (!row.live->has_value()) continue;
     for (const PlaceKind link : kLinks) {
       if (!has((*row.live)->places, link)) continue;
       const Tried tried = tried_on(row, link);
-      text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", *row.name, link_name(link), emulator(row, link, tried),
-                          guest(link, tried), boards(row, link), others(row, link, tried));
+      text += fmt::format("| `{}` | {} | {} | {} | {} |\n", *row.name, link_name(link), emulator(row, link, tried),
+                          guest(link, tried), others(row, link, tried));
     }
   }
   for (const config::DeviceInfo& odometry : config::kOdometries) {
     if (odometry.port != config::Port::kPins) continue;
-    text += fmt::format("| `{0}` | pins | boards' emulators | | `{0}` | emulator only |\n", odometry.name);
+    text += fmt::format("| `{}` | pins | boards' emulators | | emulator only |\n", odometry.name);
   }
   return text;
 }

@@ -165,12 +165,16 @@ std::string help_for(Use use, std::span<const std::string> kinds) {
 
 std::string devices_document() {
   return "# Devices\n\n"
-         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. The name leads to the "
-         "device's page: lens,\noptions, settings, wires, lines to type, traps. Nobody has connected the real things: "
-         "the facts come from makers'\ndocuments and sources, or from others who used them.\n\n"
+         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. The name leads to its page: "
+         "lens, "
+         "options,\nsettings, wires, lines to type, traps. Nobody has connected the real things: the facts come from "
+         "makers' documents and\nsources, or from others who used them. Latencies are assumed, until "
+         "[calibrated](calibrate.md).\n\n"
          "A device is named `KIND:PLACE[,option=value...]`. Its page has the options with their defaults, of words the "
          "first. On a\nboard `set camera` and `set odometry` ([console](console.md)) choose by the name in the last "
-         "column.\n[`emulate`](emulate.md) plays all but the console.\n\n" +
+         "column.\n[`emulate`](emulate.md) plays all but the console. Its lines on the pages are for two terminals at "
+         "the "
+         "top of the\nsources. Their scene has a red box 1.8 m ahead of a robot that stops before it.\n\n" +
          live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry");
 }
 
@@ -181,7 +185,7 @@ std::string devices_results() {
          "same "
          "documents and can\nbe wrong alike. Emulator: `emulate` has the link, or a test alone. Guest kernel: the bus "
          "of "
-         "a real kernel\n(`toolchain/guest`); a serial line needs none. Board: the device's name there.\n\n" +
+         "a real kernel\n(`toolchain/guest`); a serial line needs none.\n\n" +
          coverage_table();
 }
 

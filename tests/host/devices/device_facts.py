@@ -32,7 +32,7 @@ class Device:
     lens: list = field(default_factory=list)  # the row of its lens: image, across, focal length, lens, latency, source
     tells: str = ""  # emulate's words on it; empty: it is not emulated
     unready: str = ""
-    tried: list = field(default_factory=list)  # (link, emulator, guest, board, others)
+    tried: list = field(default_factory=list)  # (link, emulator, guest, others)
 
 
 def cells_of(line):

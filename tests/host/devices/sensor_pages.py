@@ -71,8 +71,7 @@ def facts(device, _pins, _sources):
         rows.append(["it tells", device.tells])
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
-        rows.append(["lens", f"{across} across {image} px, focal length {focal} px, {lens.split(',')[0]}. {source[0].upper()}{source[1:]}"])
-        rows.append(["latency", f"{latency} assumed, until [calibrated](../calibrate.md)"])
+        rows.append(["lens", f"{across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}"])
     if device.options:
         rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
     if device.tried:
@@ -183,7 +182,7 @@ def run(device, _pins, _sources):
     shown = emulation(device)
     if shown:
         truth = f"{device.name}.json" if device.lens else "pixy2.json"
-        parts.append(f"Emulated, in two terminals at the top of the sources ([scene]({truth}): a red box 1.8 m ahead):")
+        parts.append(f"Emulated, in two terminals ([scene]({truth})):")
         parts.append("\n".join("    " + line for line in shown))
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
