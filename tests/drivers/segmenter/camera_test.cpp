@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <deque>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace fencepost::segmenter {
@@ -98,6 +100,20 @@ TEST_F(SegmenterCamera, SaysHowItIs) {
   EXPECT_EQ(camera_->link(), LinkState::kOk);
   EXPECT_FALSE(camera_->poll(Time{} + milliseconds(1'101)).ok());
   EXPECT_EQ(camera_->link(), LinkState::kSilent);
+}
+
+TEST(SegmenterProfile, IsThatOfTheSameLens) {
+  for (const auto& [width, height, longer] : {std::tuple(640, 480, 640), {240, 320, 320}, {320, 240, 320}}) {
+    const auto profile = profile_of(static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height));
+    EXPECT_EQ(std::tuple(int{profile.width}, int{profile.height}), std::tuple(width, height));
+    EXPECT_NEAR(profile.fx.to_double(), longer / 2 / std::tan(M_PI / 6), 0.02);
+    EXPECT_EQ(profile.fy, profile.fx);
+    EXPECT_EQ(profile.cx.raw, 50 * (width - 1));
+    EXPECT_EQ(profile.cy.raw, 50 * (height - 1));
+    const BlobRules usual, rules = rules_of(static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height));
+    EXPECT_NEAR(rules.min_pixels, usual.min_pixels * static_cast<double>(width * height) / (320 * 240), 1.5);
+    EXPECT_EQ(rules.max_gap, usual.max_gap * width / 320);
+  }
 }
 
 TEST_F(SegmenterCamera, WithoutColoursItIsNotReady) {

@@ -52,6 +52,10 @@ TEST(SignatureOf, BoundsAreInclusive) {
   EXPECT_EQ(signature_of(one, 101, 50, 50), 0);
   EXPECT_EQ(signature_of(one, 60, 30, 30), 1) << "a mean of 40";
   EXPECT_EQ(signature_of(one, 58, 29, 29), 0);
+  std::vector<ColourRange> dim = {range(1, 0, 1, 0, 1, 0)};
+  dim[0].brightness_max = 40;
+  EXPECT_EQ(signature_of(dim, 41, 40, 41), 1) << "a mean of 40 and 2/3";
+  EXPECT_EQ(signature_of(dim, 41, 41, 41), 0);
 }
 
 TEST(SignatureOf, TakesTheNearerMiddleOfTwoRanges) {

@@ -42,12 +42,6 @@ TEST(CameraDoubt, ThreeOfWhichMostAreWrongAlikeAre) {
   EXPECT_FALSE(doubt.judge(votes(4, 0, 2), {}, kNow)) << "said already";
 }
 
-TEST(CameraDoubt, ASmallErrorIsNoComplaint) {
-  CameraDoubt doubt;
-  EXPECT_FALSE(doubt.judge({4, 0, 0, 3.4F, 0}, {}, kNow)) << "1.18";
-  EXPECT_FALSE(doubt.judge({0, 4, 0, 0, 5.3F}, {}, kNow)) << "0.75";
-}
-
 TEST(CameraDoubt, ThingsFartherThanToldMakeNobodyBolder) {
   CameraDoubt doubt;
   ASSERT_TRUE(doubt.judge(votes(0, 3, 0), {}, kNow));
@@ -73,14 +67,6 @@ TEST(CameraDoubt, LastsUntilMoreRowsAreRightThanWrong) {
   ASSERT_TRUE(doubt.judge(votes(1, 0, 2), {}, {130'000}));
   EXPECT_EQ(doubt.said(), (record::CalibrationDoubt{{130'000}, Doubt::kNone, {100}}));
   EXPECT_TRUE(doubt.spoke());
-}
-
-TEST(CameraDoubt, IsToldAnewWhenItsFactorHasChanged) {
-  CameraDoubt doubt;
-  ASSERT_TRUE(doubt.judge({3, 0, 0, 2.3F, 0}, {}, kNow));
-  EXPECT_FALSE(doubt.judge({3, 0, 0, 2.2F, 0}, {}, kNow)) << "1.30 and 1.36";
-  EXPECT_TRUE(doubt.judge({3, 0, 0, 2.0F, 0}, {}, kNow));
-  EXPECT_EQ(doubt.said().factor.raw, 150);
 }
 
 TEST(CameraDoubt, FactorsAreRoundedToHundredths) {

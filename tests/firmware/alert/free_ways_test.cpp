@@ -50,23 +50,6 @@ TEST(FreeWays, WhatWasNotSeenIsUnknown) {
   EXPECT_NEAR(spin.free.to_double(), std::numbers::pi, 1e-3);
 }
 
-TEST(FreeWays, OnlyFloorThatWasSeenIsFree) {
-  for (const double heading : {0.0, 1.0, -2.5}) {
-    const recon::MapPose robot = pose_at(12.3, -4.5, heading);
-    const FreeWays ways((alert::RobotPath()));
-    const recon::guard::SeenFloor ahead = floor_seen(robot, {0});
-    EXPECT_GT(way_of(ways, kStraight, ahead, robot).free.to_double(), 1.1) << heading;
-    EXPECT_EQ(way_of(ways, kBack, ahead, robot).end, WayEnd::kUnknown) << heading;
-    EXPECT_EQ(way_of(ways, kSharpLeft, ahead, robot).end, WayEnd::kUnknown) << heading;
-    const recon::guard::SeenFloor around = floor_seen_around(robot);
-    for (const std::size_t k : {kSharpLeft, kSharpRight}) {
-      EXPECT_EQ(way_of(ways, k, around, robot).end, WayEnd::kNothing) << heading;
-      EXPECT_NEAR(way_of(ways, k, around, robot).free.to_double(), std::numbers::pi / 3.2, 1e-3) << heading;
-    }
-    EXPECT_GT(way_of(ways, kBack, around, robot).free.to_double(), 1.1) << heading;
-  }
-}
-
 TEST(FreeWays, AnObjectCountsByItsOutlineWhereThatIsKnown) {
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(0.8, 0, 0.1);

@@ -170,6 +170,22 @@ TEST_F(Looks, CountsTimeInPartsOfASecond) {
   EXPECT_EQ(quick.after(50).unmeasured, 2);
 }
 
+// Cut at both sides and below it has no distance: after two seconds it is no track.
+TEST_F(Looks, WhatIsNotMeasuredIsForgotten) {
+  Unseen wide(camera_);
+  const auto used_after = [&](double seconds) {
+    for (int i = 0; i < std::lround(seconds * kRate); ++i) {
+      recon::WaitingFrame frame;
+      frame.t = wide.t = wide.t + base::Duration{400};
+      static_cast<void>(frame.blobs.push_back({{0, 90, 315, 207}, 1, false}));
+      wide.looming.look(frame, camera_, nullptr);
+    }
+    return wide.looming.tracks()[0].used();
+  };
+  EXPECT_TRUE(used_after(1.96));
+  EXPECT_FALSE(used_after(0.8));
+}
+
 // Nearer by far than anything can come in a frame, once: then it is where it was.
 TEST_F(Looks, AStrayThatStaysAloneIsForgotten) {
   noise_ = 0;

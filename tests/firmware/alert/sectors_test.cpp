@@ -91,13 +91,6 @@ TEST(Sectors, ARangeEndsBeforeFloorThatWasNotSeen) {
   EXPECT_NEAR(*sectors.range(0), 550, 3) << "its foot hides the floor before it";
 }
 
-TEST(Sectors, AThingIsKnownWhereTheFloorIsNot) {
-  Sectors sectors({}, kHome, 150);
-  const recon::guard::Front behind = front_at(-0.5, 0);
-  sectors.add({&behind, 1}, {});
-  EXPECT_NEAR(sectors.range(18).value_or(0), 450, 3);
-}
-
 // To the left, 17.5 degrees to each side; two sigmas nearer.
 TEST(Sectors, ACylinderReachesOverSectors) {
   recon::Object<config::Small> object;

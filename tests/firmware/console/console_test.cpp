@@ -79,7 +79,8 @@ TEST(Console, LockedItChangesNothing) {
     EXPECT_NE(said.find("error: the console is locked: '"), std::string::npos) << line << ": " << said;
   }
   const std::string records[] = {line_of(record::Signature{1, {}, "other"}),
-                                 line_of(record::Setting{"alert.stop", "0.00"})};
+                                 line_of(record::Setting{"alert.stop", "0.00"}), line_of(level_pixy2()),
+                                 line_of(desk.header)};
   for (const std::string& line : records) {
     const std::string said = desk.type(line);
     EXPECT_NE(said.find("error: the console is locked: '$FP"), std::string::npos) << line << ": " << said;
@@ -245,7 +246,11 @@ TEST(Console, AlertsModeVersionReset) {
   EXPECT_EQ(desk.type_line("mode quiet"), "mode is quiet\r\n");
   EXPECT_EQ(desk.type_line("mode text"), "mode is text\r\n");
   EXPECT_EQ(desk.type_line("version"), "fencepost 0.1.0 for desk, profile micro, stream format 1\r\n");
+  desk.set_note("of a test");
+  EXPECT_EQ(desk.type_line("VERSION"), "fencepost 0.1.0 for desk, profile micro, stream format 1; of a test\r\n");
   EXPECT_EQ(desk.type_line("reset"), "a new run: the map is empty\r\n");
+  EXPECT_EQ(desk.type_line("AZ~").rfind("error: unknown command 'az~', there are:", 0), 0U);
+  EXPECT_EQ(desk.type("$FP\x7f\xc3,1\n").rfind("error: $FP?? rejected (crc)", 0), 0U);
 }
 
 TEST(Console, SettingsAreSetAndGot) {

@@ -78,6 +78,21 @@ TEST_F(DevicesConsole, MotorsGoByGoAlone) {
   }
 }
 
+TEST_F(DevicesConsole, TheButtonIsGoAndStop) {
+  const console::Motion& motion = desk.memory().console.motion;
+  static_cast<void>(say("set bumper 40"));
+  desk.memory().console.motion.may = true;
+  desk.press_button();
+  desk.turn(2);
+  EXPECT_EQ(desk.link.take_said(), "ahead, at 40 %, until an alert, or until you press Enter\r\n");
+  EXPECT_TRUE(motion.ahead && motion.by_button && !motion.held);
+  desk.memory().console.answer = {console::Reply::kVersion};
+  desk.press_button();
+  desk.turn(2);
+  EXPECT_EQ(desk.link.take_said().rfind("fencepost", 0), 0U) << "the answer before is not lost";
+  EXPECT_TRUE(!motion.ahead && !motion.by_button && motion.held);
+}
+
 TEST_F(DevicesConsole, StopHoldsUntilGo) {
   EXPECT_EQ(say("stop"), "held: nothing may move until `go`\r\n");
   EXPECT_TRUE(desk.memory().console.motion.held);
@@ -118,11 +133,13 @@ TEST_F(DevicesConsole, WhatTheImageDoesNotContainIsAnsweredByWhatItDoes) {
     config::DeviceOffer few = kPico;
     few.limits.cameras = 1U << static_cast<unsigned>(CameraId::kPixy2);
     few.limits.odometries = 1U << static_cast<unsigned>(OdometryId::kConsole);
+    few.limits.motors = false;
     return few;
   }();
   desk.pipeline().offer(kFew);
   EXPECT_EQ(say("set camera cmucam1"), "error: 'cmucam1' is not possible: camera takes pixy2\r\n");
   EXPECT_EQ(say("set odometry encoders"), "error: 'encoders' is not possible: odometry takes console\r\n");
+  EXPECT_EQ(say("go"), "it may move while no alert forbids it\r\n");
 }
 
 TEST_F(DevicesConsole, UnknownNamesAreAnsweredByThoseThatThereAre) {

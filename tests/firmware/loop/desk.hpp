@@ -119,6 +119,8 @@ class Desk {
   }
   std::string type_line(std::string_view text) { return type(std::string(text) + "\r"); }
 
+  void press_button() { loop_.press_button(); }
+  void set_note(std::string_view note) { loop_.set_note(note); }
   loop::Pipeline<Profile>& pipeline() { return loop_.pipeline(); }
   loop::Memory<Profile>& memory() { return *memory_; }
 

@@ -73,19 +73,22 @@ TEST(Journal, KeepsAlertsThatTheConsoleDoesNotWant) {
 }
 
 TEST(Journal, WithoutRoomNoInputIsUsed) {
-  Desk<Journaled> desk(Mode::kText, desk_approach(100));
-  desk.memory().journal.start();
-  desk.turn(2100);  // nobody takes anything
-  const std::string journal = take_journal(desk);
-  const auto used = [&](std::string_view kind) {
-    std::uint32_t count = 0;
-    for (std::size_t at = journal.find(kind); at != std::string::npos; at = journal.find(kind, at + 1)) ++count;
-    return count;
-  };
-  const console::Counters& counters = desk.memory().counters;
-  EXPECT_EQ(counters.odometry, used("$FPODO"));
-  EXPECT_EQ(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 100 - used("$FPFRM"));
-  EXPECT_GT(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 0U);
+  for (const Mode mode : {Mode::kText, Mode::kLog}) {
+    Desk<Journaled> desk(mode, desk_approach(100));
+    desk.memory().journal.start();
+    desk.turn(2100);  // nobody takes anything
+    const std::string journal = take_journal(desk);
+    const auto used = [&](const std::string& log, std::string_view kind) {
+      std::uint32_t count = 0;
+      for (std::size_t at = log.find(kind); at != std::string::npos; at = log.find(kind, at + 1)) ++count;
+      return count;
+    };
+    const console::Counters& counters = desk.memory().counters;
+    EXPECT_EQ(counters.odometry, used(journal, "$FPODO"));
+    EXPECT_EQ(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 100 - used(journal, "$FPFRM"));
+    EXPECT_GT(counters.refused[static_cast<std::size_t>(console::Refusal::kQueue)], 0U);
+    EXPECT_EQ(used(desk.link.take_said(), "$FPODO"), mode == Mode::kLog ? counters.odometry : 0) << "nor the console";
+  }
 }
 
 // A replay reads frames and odometry itself.
