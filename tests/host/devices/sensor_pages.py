@@ -66,7 +66,7 @@ def shown_place(device, place):
 
 
 def facts(device, _pins, _sources):
-    rows = [[f"`{device.name}`", device.about.replace("|", "\\|")]]
+    rows = [[f"`{device.name}`", ""]]
     if device.tells:
         rows.append(["it tells", device.tells])
     if device.lens:
