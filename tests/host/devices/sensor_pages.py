@@ -89,12 +89,13 @@ def line_pins(names, line):
 
 def wires_of_boards(pins):
     """Where the boards have the wires of a device: the table of boards.md."""
-    rows = [["board", "camera's line: its TX to; its RX to", "base's line: its TX to; its RX to", "two-wire bus: data; clock"]]
+    found = {}
     for board, names in pins.items():
         camera = line_pins(names, "camera")
-        rows.append([f"`{board}`", camera or "none", line_pins(names, "base") or (camera and "the camera's") or "none",
-                     f"{pin(names['bus data'])}; {pin(names['bus clock'])}"])
-    return table(rows)
+        ends = (camera or "none", line_pins(names, "base") or (camera and "the camera's") or "none", f"{pin(names['bus data'])}; {pin(names['bus clock'])}")
+        found.setdefault(ends, []).append(f"`{board}`")
+    heads = ["board", "camera's line: its TX to; its RX to", "base's line: its TX to; its RX to", "two-wire bus: data; clock"]
+    return table([heads, *[[", ".join(boards), *ends] for ends, boards in found.items()]])
 
 
 def own_pins(device, pins):
