@@ -165,11 +165,10 @@ std::string help_for(Use use, std::span<const std::string> kinds) {
 
 std::string devices_document() {
   return "# Devices\n\n"
-         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. The name leads to its page: "
+         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. A name leads to its page: "
          "lens, "
          "options,\nsettings, wires, lines to type, traps. Nobody has connected the real things: the facts come from "
-         "makers' documents and\nsources, or from others who used them. Latencies are assumed, until "
-         "[calibrated](calibrate.md).\n\n"
+         "makers' documents and\nsources, or from others. Latencies are assumed, until [calibrated](calibrate.md).\n\n"
          "A device is named `KIND:PLACE[,option=value...]`. Its page has the options with their defaults, of words the "
          "first. On a\nboard `set camera` and `set odometry` ([console](console.md)) choose by the name in the last "
          "column.\n[`emulate`](emulate.md) plays all but the console. Its lines on the pages are for two terminals at "

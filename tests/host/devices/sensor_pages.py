@@ -199,7 +199,7 @@ def run(device, _pins, _sources):
 def wrong(device, _pins, _sources):
     if not device.places:
         return "- [Cables](../console.md#cables) says what `status` reports of its link."
-    return paragraph(f"- It *answers but is not ready* ([doctor](../doctor.md#devices)): {device.unready}.", "  ")
+    return paragraph(f"- *Answers but is not ready* ([doctor](../doctor.md#devices)): {device.unready}.", "  ")
 
 
 def scene_of(device):

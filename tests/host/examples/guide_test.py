@@ -14,8 +14,8 @@ import draw  # noqa: E402
 GUIDE = TOP / "firmware/FIRST_ALERT.md"
 PINS = (TOP / "hal/boards/PINS.md").read_text(encoding="utf-8")
 SYSTEMS = ("Windows", "macOS", "Linux")
-# Sections about the desk's program and the compiler, which are Linux programs, and say so.
-OTHER_SECTIONS = ("## 10", "## With a compiler")
+# About the desk's program, which is one for Linux, and says so.
+OTHER_SECTIONS = ("## 10",)
 
 
 def one_sided(text):
