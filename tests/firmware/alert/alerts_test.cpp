@@ -200,16 +200,5 @@ TEST_F(Judge, UnconfirmedAndVanishedObjectsDoNotAlert) {
   EXPECT_EQ(at(320, in_path(0.1F)), std::nullopt);
 }
 
-// The owner of the state resets it when the object ends, see tests/firmware/loop/clear_test.cpp.
-TEST_F(Judge, AStateThatWasResetBeginsAfresh) {
-  EXPECT_FALSE(state_.in_force());
-  EXPECT_EQ(at(0, in_path(0.1F)), AlertLevel::kStop);
-  EXPECT_TRUE(state_.in_force());
-  EXPECT_EQ(at(1, in_path(0.1F)), std::nullopt);
-  state_ = {};
-  object_.id = 9;
-  EXPECT_EQ(at(2, in_path(0.1F)), AlertLevel::kStop);
-}
-
 }  // namespace
 }  // namespace fencepost::test

@@ -274,13 +274,5 @@ TEST_F(JudgeFront, StaysUntilItEases) {
   EXPECT_EQ(said, AlertLevel::kClear);
 }
 
-TEST_F(JudgeFront, RepeatsAtTheRate) {
-  int stops = 0;
-  for (int ms = 0; ms < 2000; ms += 10) {
-    stops += at(ms, AlertLevel::kStop, AlertLevel::kStop, AlertLevel::kClear).has_value() ? 1 : 0;
-  }
-  EXPECT_EQ(stops, 10);
-}
-
 }  // namespace
 }  // namespace fencepost::test

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/alert/looming.hpp"
@@ -201,6 +203,34 @@ void turns(Tracks& tracks) {
   }
 }
 
+// All of it at random: up to six things, each for a while, beside a robot that now stands, drives or turns.
+void wanders(Tracks& tracks) {
+  std::mt19937 random(28);
+  const auto any = [&](int low, int high) { return low + static_cast<int>(random() % unsigned(high - low + 1)); };
+  std::vector<LoomingThing> things;
+  std::vector<std::pair<int, int>> steps;
+  int forward = 0, turn = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    if (i % 40 == 0) {
+      things.resize(static_cast<std::size_t>(any(0, 6)));
+      steps.resize(things.size());
+      for (LoomingThing& thing : things) {
+        thing = {any(100, 3'000), any(-600, 600), any(20, 300), any(20, 300), static_cast<std::uint8_t>(any(1, 3))};
+      }
+      for (auto& [ahead, left] : steps) ahead = any(-60, 20), left = any(0, 2) == 0 ? any(-20, 20) : 0;
+      forward = any(0, 1) * any(-4, 16);
+      turn = any(0, 2) == 0 ? any(-12'000, 12'000) : 0;
+      tracks.odometry(any(0, 4) != 0);
+    }
+    tracks.move(forward, 0, turn, 0.025F * static_cast<float>(forward), 25e-6F * static_cast<float>(turn));
+    for (std::size_t k = 0; k < things.size(); ++k) {
+      things[k].ahead += steps[k].first - forward + any(-3, 3);
+      things[k].left += steps[k].second - turn * things[k].ahead / 1'000'000;
+    }
+    tracks.look(things, any(0, 30) == 0 ? 1'500 : 400);
+  }
+}
+
 struct Told {
   const char* name;
   void (*story)(Tracks&);
@@ -227,7 +257,8 @@ constexpr Told kTold[] = {{"comes", comes, 0x437C263388FC2A02ULL, 0x70ECF240F42E
                           {"without_odometry", without_odometry, 0x3DAECDE0624175D1ULL, 0xC642C311A8B82CD7ULL},
                           {"hides", hides, 0x6D426BA8EB93E451ULL, 0x008E00FE16A05980ULL},
                           {"flickers", flickers, 0x04927F666DFB1619ULL, 0x1AB2FB28E861BBF8ULL},
-                          {"turns", turns, 0xF2692BB79965799FULL, 0x8C7423195FB9CA22ULL}};
+                          {"turns", turns, 0xF2692BB79965799FULL, 0x8C7423195FB9CA22ULL},
+                          {"wanders", wanders, 0xB9AAD6D6D434B33AULL, 0xED868A1D12ECC05DULL}};
 
 TEST(LoomingTrackStories, TellOfStopsAndOfThingsThatMove) {
   Tracks coming;

@@ -106,18 +106,6 @@ TEST(Sight, ASilentCameraIsSaidInTime) {
   }
 }
 
-TEST(Sight, OneFrameLessIsNoBlindness) {
-  Inputs inputs(10);
-  inputs.run(1);
-  inputs.camera_on = false;
-  inputs.run(0.1);
-  inputs.camera_on = true;
-  for (int i = 0; i < 50; ++i) {
-    EXPECT_EQ(inputs.blindness(), Blindness::kNone);
-    inputs.run(0.02);
-  }
-}
-
 // Two and a half of its intervals, smoothed over eight of them, within 0.27 and 1.5 s; of a robot that stands within 1
 // s.
 TEST(Rhythm, AnInputIsOverdueAfterItsUsualIntervals) {

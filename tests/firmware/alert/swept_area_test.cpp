@@ -105,31 +105,6 @@ TEST(SweptArea, IsTheStripAhead) {
   EXPECT_FALSE(area.contains(-300, 0));
 }
 
-TEST(SweptArea, OfARobotThatReversesIsBehind) {
-  const SweptArea area(path_of(-0.2F, 0), 0.03F);
-  EXPECT_TRUE(area.contains(-300, 100));
-  EXPECT_FALSE(area.contains(300, 100));
-}
-
-// Odometry that jitters does not say whether the robot is stationary or backs off: obstacles ahead still count.
-TEST(SweptArea, OfARobotThatHardlyMovesIsOnBothSides) {
-  const SweptArea area(path_of(-0.04F, 0.06F), 0);
-  EXPECT_TRUE(area.contains(300, 100));
-  EXPECT_TRUE(area.contains(-300, 100));
-  EXPECT_FALSE(SweptArea(path_of(0.04F, 0.06F), 0).contains(-300, 100));
-}
-
-// A slow arc counts besides the way straight on.
-TEST(SweptArea, OfARobotThatCreepsRoundABendIsBothWays) {
-  const SweptArea area(path_of(0.05F, 0.2F, 0.1F), 0);  // 0.25 m to the left
-  EXPECT_TRUE(area.contains(250, 0));
-  EXPECT_TRUE(area.contains(250, 250));
-}
-
-TEST(SweptArea, OfARobotThatStandsIsAhead) {
-  for (const float turn : {0.0F, 1.0F}) EXPECT_TRUE(SweptArea(path_of(0, turn), 0).contains(300, 100));
-}
-
 // An arc of 0.5 m to the left, half width 0.12 m: half a metre on it is at (0.42, 0.23).
 TEST(SweptArea, FollowsTheArc) {
   const SweptArea left(path_of(0.25F, 0.5F), 0.03F);
@@ -238,27 +213,6 @@ TEST(Footprint, SpinningSweepsACircle) {
   }
   EXPECT_FALSE(SweptArea(body_of(0.1F, 0.3F, 0, 0.1F), 0).contains(0, 300)) << "odometry that wavers is no spin";
   EXPECT_FALSE(SweptArea(path_of(0, 0.5F), 0).contains(0, 120)) << "a round body stays where it is";
-}
-
-// The robot stopped on command, but obstacles on the path that it followed are still in its way.
-TEST(Footprint, ARobotThatStandsMayGoOnAsItWent) {
-  RobotPath path = body_of(0.1F, 0.3F, 0, 0);
-  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0));
-  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
-  path.last.follow({-0.2F, 0});
-  EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
-  EXPECT_TRUE(SweptArea(path, 0).contains(400, 0)) << "or ahead";
-  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
-  path.last.follow({0.03F, 0.04F});  // jitter
-  EXPECT_TRUE(SweptArea(path, 0).contains(-400, 0));
-  path.last.follow({0, 0.5F});
-  EXPECT_TRUE(SweptArea(path, 0).contains(-200, 200));
-  path.last.follow({0.2F, 0});
-  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0));
-  EXPECT_FALSE(SweptArea(path, 0).contains(-200, 200));
-  path = body_of(0, 0, 0, 0);
-  path.last = {true, true};
-  EXPECT_FALSE(SweptArea(path, 0).contains(-400, 0)) << "robot.width alone";
 }
 
 TEST(Footprint, ThresholdsMoveByWhatReachesBeyondHalfTheWidth) {
