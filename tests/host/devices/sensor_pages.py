@@ -75,7 +75,9 @@ def facts(device, _pins, _sources):
     if device.options:
         rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
     if device.tried:
-        rows.append(["tried with", "; ".join(f"{link}: {others.replace('none: ', '')}" for link, *_, others in device.tried)])
+        tried = {link: others.removeprefix("none: ") for link, *_, others in device.tried}
+        alike = len(set(tried.values())) == 1
+        rows.append(["tried with", next(iter(tried.values())) if alike else "; ".join(map(": ".join, tried.items()))])
     return table(rows)
 
 
