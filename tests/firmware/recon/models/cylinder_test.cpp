@@ -331,8 +331,25 @@ TEST(Cylinder, OfViewsFromALattice) {
       if (cylinder.estimate().ok()) sweep.tell("sigma", cylinder.estimate().outline_sigma());
     }
   }
+  for (int run = 0; run < 100; ++run) {
+    recon::Cylinder point;
+    for (int look = 0; look < 12; ++look) {
+      recon::Sighting sighting;
+      sighting.axis = sighting.center =
+          draw.of<recon::Vec2>({{1, 0}, {0.6F, 0.8F}, {0.6F, -0.8F}, {0, 1}, {0.8F, 0.6F}});
+      sighting.lens = -draw.of({1.0F, 1.25F, 2.0F}) * sighting.axis;
+      if (draw.one_in(6)) sighting.lens += recon::Vec2{draw.steps(-2, 2, 0.125F), draw.steps(-2, 2, 0.125F)};
+      sighting.bearing = true;
+      sighting.focal = 256;
+      point.add(sighting, {}, draw.of({1.0F, 0.5F}), {});
+      point.solve(sighting.lens, sighting.axis, {});
+      base::Fnv1a64 hash;
+      point.hash(hash);
+      sweep.tell("bearings", static_cast<std::uint32_t>(hash.value()));
+    }
+  }
   expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 c1165f51", "refusal 745 969ab905", "whole 401 11075e9d",
-                      "rows 1778 a416d5d7", "sigma 2855 ad362711"});
+                      "rows 1778 a416d5d7", "sigma 2855 ad362711", "bearings 1200 a7446894"});
 }
 
 }  // namespace

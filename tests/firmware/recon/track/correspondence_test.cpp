@@ -54,7 +54,7 @@ TEST(Correspondence, OfABlobAndAnObject) {
   Sweep sweep;
   for (int i = 0; i < 40'000; ++i) {
     const Prediction object = any_prediction(draw);
-    const Observation seen = any_blob(draw);
+    Observation seen = any_blob(draw);
     sweep.tell("cost", recon::match_cost(object, seen));
     sweep.tell("impossible", recon::match_cost(object, seen) == recon::kImpossible);
     sweep.tell("covers", recon::covers(object, seen));
@@ -64,10 +64,12 @@ TEST(Correspondence, OfABlobAndAnObject) {
     sweep.tell("elsewhere", recon::stands_elsewhere(object, seen));
     const recon::EndsOff off = recon::ends_off(object, seen, draw.coin());
     sweep.tell("off", 2 * off.left + off.right);
+    seen.bearing = true;
+    sweep.tell("bearing", recon::match_cost(object, seen));
   }
-  expect_said(sweep,
-              {"cost 40000 48046496", "impossible 15235 800bd964", "covers 13699 33943427", "middle 35473 05465b6a",
-               "overlaps 34831 128d819e", "behind 4697 7b5630e8", "elsewhere 7838 e99dbadb", "off 7190 0b98de4f"});
+  expect_said(sweep, {"cost 40000 48046496", "impossible 15235 800bd964", "covers 13699 33943427",
+                      "middle 35473 05465b6a", "overlaps 34831 128d819e", "behind 4697 7b5630e8",
+                      "elsewhere 7838 e99dbadb", "off 7190 0b98de4f", "bearing 40000 4eb52e35"});
 }
 
 // Most of the possible blobs lie within the tolerances, and cost little.
