@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <random>
 
-#include "firmware/alert/known_room.hpp"
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"
 #include "tests/firmware/alert/known_floor.hpp"
@@ -155,41 +153,6 @@ TEST(FreeWays, APillarIsPassedOnTheSideThatItAsksFor) {
   EXPECT_EQ(until(0.6, 1.6, left, kStraight), -1) << "farther aside than floor is known";
   EXPECT_EQ(until(-0.6, 0, left, kBack), until(-0.6, 0, any, kBack)) << "only on the way ahead";
   EXPECT_EQ(until(0.6, 0, right, kSpin), -1);
-}
-
-// It ends at the last of the places, 96 mm apart, under whose leading edge the floor was seen on both sides.
-TEST(FreeWays, EndBeforeFloorThatWasNotSeen) {
-  const double step = 0.001 * alert::kFloorStep;
-  const recon::guard::SeenFloor floor = floor_seen(pose_at(2, -3, 0), {0, 50, 180});
-  int ended = 0, different = 0;
-  for (std::size_t k = kSharpLeft; k <= kBack; ++k) {
-    for (int degrees = -90; degrees <= 180; degrees += 5) {
-      const Way way = way_of(FreeWays((alert::RobotPath())), k, floor, pose_at(2, -3, degrees * kDegree));
-      const double curvature = 0.01 * way.curvature.raw;
-      const double sign = k == kBack ? -1 : 1;
-      const auto seen = [&](double gone, double aside) {
-        const double turned = curvature * gone;
-        const std::complex<double> place =
-            curvature == 0 ? sign * gone
-                           : (std::polar(1.0, turned - 0.5 * M_PI) + std::complex<double>(0, 1)) / curvature;
-        const std::complex<double> at = place + std::complex<double>(sign * 0.1, aside) * std::polar(1.0, turned);
-        const std::complex<double> map = at * std::polar(1000.0, degrees * kDegree);
-        return std::abs(at) <= 0.25 ||
-               floor.seen(static_cast<int>(2000 + map.real()), static_cast<int>(-3000 + map.imag()));
-      };
-      const double longest = curvature == 0 ? 1.5 : std::min(1.5, std::numbers::pi / std::fabs(curvature));
-      double free = 0;
-      for (double gone = 0; gone < longest && seen(gone, 0.05) && seen(gone, -0.05); gone += step) free = gone;
-      const bool known = free + step >= longest;
-      ended += known ? 0 : 1;
-      different +=
-          std::fabs(way.free.to_double() - (known ? longest : free)) > 2e-3 || (way.end == WayEnd::kUnknown) == known
-              ? 1
-              : 0;
-    }
-  }
-  EXPECT_GT(ended, 200);
-  EXPECT_LE(different, 8) << "at borders of cells";
 }
 
 TEST(FreeWays, ACornerNeedsRoomToTurnOnTheSpot) {

@@ -204,47 +204,22 @@ TEST_F(Looks, AStrayThatStaysAloneIsForgotten) {
   EXPECT_NEAR(looming_.tracks()[0].depth, depth, 160) << "1 cm";
 }
 
-// Of a guard's front and a thing that comes: the higher level; of the same, the nearer place. What is not known has
-// none.
+// Of a guard's front and a thing that comes. See AlertSweep for all that they share.
 TEST(MoreUrgent, IsTheHigherLevelThenTheNearerPlace) {
-  const auto front = [](AlertLevel due, float distance, std::uint8_t signature) {
-    FrontAhead one;
-    one.due = due;
-    one.nearest.known = distance > 0;
-    one.nearest.distance = distance;
-    one.signature = signature;
-    return one;
+  const auto chosen = [](AlertLevel due_one, float near_one, AlertLevel due_other, float near_other) {
+    FrontAhead one, other;
+    one.due = due_one, other.due = due_other;
+    one.nearest.distance = near_one, other.nearest.distance = near_other;
+    one.nearest.known = near_one > 0, other.nearest.known = near_other > 0;
+    one.signature = 1, other.signature = 2;
+    return int{more_urgent(one, other).signature};
   };
-  const auto stop = AlertLevel::kStop, warn = AlertLevel::kWarn, clear = AlertLevel::kClear;
-  struct Row {
-    AlertLevel one, other;
-    float near_one, near_other;
-    int chosen;
-  };
-  for (const Row& row : {Row{stop, warn, 2, 1, 1},
-                         {warn, stop, 1, 2, 2},
-                         {warn, warn, 1, 2, 1},
-                         {warn, warn, 2, 1, 2},
-                         {warn, warn, 1, 1, 1},
-                         {warn, clear, 0, 1, 1},
-                         {clear, clear, 1, 0, 1},
-                         {clear, clear, 0, 1, 2},
-                         {clear, warn, 1, 0, 1}}) {
-    FrontAhead one = front(row.one, row.near_one, 1);
-    FrontAhead other = front(row.other, row.near_other, 2);
-    one.held = warn;
-    other.held = stop;
-    one.speed = 3;
-    other.speed = 2;
-    const FrontAhead both = more_urgent(one, other);
-    EXPECT_EQ(both.signature, row.chosen) << row.near_one << " " << row.near_other;
-    EXPECT_EQ(both.due, std::max(row.one, row.other));
-    EXPECT_EQ(both.held, stop);
-    EXPECT_EQ(both.speed, 2);
-    EXPECT_FALSE(both.something);
-    other.something = true;
-    EXPECT_TRUE(more_urgent(one, other).something && more_urgent(other, one).something);
-  }
+  EXPECT_EQ(chosen(AlertLevel::kStop, 2, AlertLevel::kWarn, 1), 1);
+  EXPECT_EQ(chosen(AlertLevel::kWarn, 1, AlertLevel::kStop, 2), 2);
+  EXPECT_EQ(chosen(AlertLevel::kWarn, 2, AlertLevel::kWarn, 1), 2);
+  EXPECT_EQ(chosen(AlertLevel::kWarn, 1, AlertLevel::kWarn, 2), 1);
+  EXPECT_EQ(chosen(AlertLevel::kClear, 0, AlertLevel::kClear, 1), 2) << "the one whose place is known";
+  EXPECT_EQ(chosen(AlertLevel::kClear, 1, AlertLevel::kWarn, 0), 1);
 }
 
 TEST_F(Looks, ABallIsAnnouncedAndStaysSo) {

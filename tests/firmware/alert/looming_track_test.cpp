@@ -138,71 +138,6 @@ void comes(Tracks& tracks) {
 void crosses(Tracks& tracks) {
   for (int i = 0; i < 60; ++i) tracks.look({{900, 600 - 20 * i}, {1'500, 30 * i - 900, 120, 80, 2}});
 }
-// A robot at 0.3 m/s that bends to the left, by things that stand and one that comes; at 30 and 20 frames a second.
-void drives(Tracks& tracks) {
-  for (int i = 0; i < 50; ++i) {
-    tracks.move(12, i / 8, 8'000, 0.3F, 0.2F);
-    const int turned = i * i / 8;
-    tracks.look({{1'500 - 12 * i, 200 - turned},
-                 {900 - 12 * i, -250 - turned, 60, 150, 2},
-                 {2'600 - 50 * i, -turned, 90, 90, 3}},
-                i % 2 == 0 ? 333 : 500);
-  }
-}
-// Straight on at 0.4 m/s, one ahead that comes, another that goes away.
-void meets(Tracks& tracks) {
-  for (int i = 0; i < 60; ++i) {
-    tracks.move(16, 0, 0, 0.4F);
-    tracks.look({{2'500 - 40 * i, 20}, {700 + 10 * i, -150, 80, 120, 2}});
-  }
-}
-// Feet below the image from the begin on, cut off at one side, then at the other, then at both.
-void is_cut_off(Tracks& tracks) {
-  for (int i = 0; i < 40; ++i) tracks.look({{300 - 4 * i, 120 - 5 * i, 150, 200}});
-  for (int i = 0; i < 20; ++i) tracks.look({{280 - 4 * i, -100, 200, 200}, {150, 20, 500, 300, 2}});
-}
-// Odometry begins late, and falls silent.
-void without_odometry(Tracks& tracks) {
-  for (int i = 0; i < 60; ++i) {
-    tracks.odometry(i >= 20 && i < 40);
-    tracks.move(4, 0, 0, 0.1F);
-    tracks.look({{2'000 - 30 * i, 100}, {1'200 - 4 * i, -200, 50, 60, 2}});
-  }
-}
-// One before the other, alike and not, and more of them than there is room for.
-void hides(Tracks& tracks) {
-  for (int i = 0; i < 50; ++i) {
-    tracks.look({{1'000, 10 * i - 250, 100, 60},
-                 {700, 0, 60, 100},
-                 {1'400, 150 - 6 * i, 90, 120, 2},
-                 {1'900 - 30 * i, -300, 80, 80, 2},
-                 {2'500 - 10 * i, 400, 100, 90, 3},
-                 {2'950 - 20 * i, -600, 100, 90, 4}});
-  }
-}
-// Frames that are lost, looks that see something else once, a pause that is too long.
-void flickers(Tracks& tracks) {
-  for (int i = 0; i < 80; ++i) {
-    const int ahead = i % 7 == 5 ? 600 : 1'600 - 15 * i;
-    if (i % 5 == 3) {
-      tracks.look({});
-    } else if (i % 11 == 9) {
-      tracks.look({{ahead, i % 2 == 0 ? 400 : -400}});
-    } else {
-      tracks.look({{ahead, 30}}, i == 60 ? 5'001 : i % 3 == 0 ? 150 : 400);
-    }
-  }
-}
-// The robot turns on the spot and back; things far to the side leave the image.
-void turns(Tracks& tracks) {
-  for (int i = 0; i < 60; ++i) {
-    const int urad = i < 30 ? 20'000 : -20'000;
-    tracks.move(0, 0, urad, 0, i < 30 ? 0.5F : -0.5F);
-    const int aside = 20 * (i < 30 ? i : 60 - i);
-    tracks.look({{1'000, 300 - aside}, {1'000, -100 - aside, 60, 90, 2}});
-  }
-}
-
 // All of it at random: up to six things, each for a while, beside a robot that now stands, drives or turns.
 void wanders(Tracks& tracks) {
   std::mt19937 random(28);
@@ -251,13 +186,6 @@ TEST_P(LoomingTracks, AreWhatTheyWere) {
 
 constexpr Told kTold[] = {{"comes", comes, 0x437C263388FC2A02ULL, 0x70ECF240F42E971CULL},
                           {"crosses", crosses, 0xADD5682455887B75ULL, 0xE7F6C52A22F2ADC3ULL},
-                          {"drives", drives, 0x117765CD052E9545ULL, 0x0A62CF517B0608EDULL},
-                          {"meets", meets, 0xE6307FE7E4744832ULL, 0xBEF598D462598E68ULL},
-                          {"is_cut_off", is_cut_off, 0x7ACBA5003860F362ULL, 0x0311DF9087B7871CULL},
-                          {"without_odometry", without_odometry, 0x3DAECDE0624175D1ULL, 0xC642C311A8B82CD7ULL},
-                          {"hides", hides, 0x6D426BA8EB93E451ULL, 0x008E00FE16A05980ULL},
-                          {"flickers", flickers, 0x04927F666DFB1619ULL, 0x1AB2FB28E861BBF8ULL},
-                          {"turns", turns, 0xF2692BB79965799FULL, 0x8C7423195FB9CA22ULL},
                           {"wanders", wanders, 0x1282BDF8C9ECFAD7ULL, 0x3A6C5E026BF665E4ULL}};
 
 TEST(LoomingTrackStories, TellOfStopsAndOfThingsThatMove) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <tuple>
 
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"
@@ -132,23 +131,6 @@ TEST(Sectors, AnOutlineHasARangeForEachSector) {
     }
     const auto beside = static_cast<std::size_t>(std::floor((-90 - heading + 725) / 10.0)) % kSectors;
     EXPECT_NEAR(*sectors.range(beside), 490, 12);
-  }
-}
-
-// A box 0.1 m deep and 0.2 m wide, 1 m away: its disc of 0.11 m reaches 6.5 degrees to either side. It is nearer by two
-// sigmas, and by 10 mm since its directions are 5.6 degrees apart.
-TEST(Sectors, ASmallOutlineHasTheRangeOfItsNearestSide) {
-  for (const auto& [x, y, sector] : {std::tuple(1.0, 0.0, 0), {-1.0, 0.0, 18}}) {
-    recon::Object<config::Small> object;
-    static_cast<recon::ObjectCore&>(object) = known_object(x, y, 0.1);
-    BoxOutline(0.1F, 0.2F, 0.005F).put_into(object.hybrid(), pose_at(x, y, 0).position);
-    Sectors sectors({}, kHome, 150);
-    sectors.add(object, alert::RobotPlace(kHome));
-    for (int k = -3; k <= 3; ++k) {
-      const auto range = sectors.range(static_cast<std::size_t>(sector + k + 36) % kSectors);
-      ASSERT_EQ(range.has_value(), std::abs(k) <= 1) << sector << " " << k;
-      EXPECT_NEAR(range.value_or(930), 1000 - 50 - 10 - 10, 2) << sector << " " << k;
-    }
   }
 }
 

@@ -334,23 +334,5 @@ TEST(Sight, OdometryThatJumpsIsNotBelieved) {
   }
 }
 
-TEST(Sight, ACameraThatSeesNothingForASecondIsEmpty) {
-  alert::Sight sight;
-  const recon::CameraModel camera = recon::make_camera_model(level_pixy2());
-  const auto state_after = [&](int ms, const std::vector<FlatFront>& world) {
-    const base::Time t = base::Time{10'000} + base::milliseconds(ms);
-    sensor::BlobFrame frame = flat_view(world, 0, 0, 0, 1);
-    frame.t = t;
-    sight.frame_came(t);
-    sight.frame_used(recon::make_waiting(frame, 0), camera, {});
-    return sight.camera_state(t, true);
-  };
-  EXPECT_EQ(state_after(0, {{0.9, -0.2, 0.2}}), LinkState::kOk);
-  EXPECT_EQ(state_after(500, {}), LinkState::kOk);
-  EXPECT_EQ(state_after(999, {}), LinkState::kOk);
-  EXPECT_EQ(state_after(1'000, {}), LinkState::kEmpty);
-  EXPECT_EQ(state_after(1'100, {{0.9, -0.2, 0.2}}), LinkState::kOk);
-}
-
 }  // namespace
 }  // namespace fencepost::test

@@ -64,6 +64,8 @@ TYPED_TEST(Selftest, DependsOnNoSettingAndCountsNothing) {
   desk.link.take_said();
   desk.type_line("set confirm.k 1");
   desk.type_line("set correct.pose on");
+  desk.type_line("set camera.noise 4");
+  desk.pipeline().set_signature({1, {0xd0, 0x20, 0x20}, "red", 3, 400});
   const console::Counters before = desk.memory().counters;
   EXPECT_EQ(desk.type_line("selftest").rfind("selftest pass", 0), 0U);
   const console::Counters& after = desk.memory().counters;
