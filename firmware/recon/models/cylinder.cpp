@@ -86,13 +86,13 @@ CylinderEstimate solve_with_typical_radius(const NormalEquations& equations, con
   return solve_equations(with_radius(equations, {kTypicalRadius, sigma}), lens);
 }
 
-// True if the rows agree with an estimate that was made without them.
-bool agree(const NormalEquations& rows, const CylinderEstimate& from_edges) {
+// How much farther than the edges the rows put an object, in sigmas.
+float farther_by(const NormalEquations& rows, const CylinderEstimate& from_edges) {
   const float weight = rows.information.rr;
   const Vec2 mean_normal{rows.information.xr / weight, rows.information.yr / weight};
-  const float residual = rows.moment_radius / weight - mean_normal.dot(from_edges.center) - from_edges.radius;
+  const float residual = mean_normal.dot(from_edges.center) + from_edges.radius - rows.moment_radius / weight;
   const float variance = 1.0F / weight + from_edges.covariance.along(mean_normal);
-  return residual * residual <= kGateSigmas * kGateSigmas * variance;
+  return residual / std::sqrt(variance);
 }
 
 void hash_symmetric(base::Fnv1a64& hash, const Symmetric3& m) {
@@ -263,13 +263,14 @@ NormalEquations Cylinder::edges_and_radius() const {
 
 CylinderEstimate Cylinder::by_edges(const Vec2& lens) const { return solve_equations(edges_and_radius(), lens); }
 
-CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) const {
+CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise) {
   const NormalEquations edges = edges_and_radius();
   const CylinderEstimate from_edges = solve_equations(edges, lens);
+  const bool edges_know = this->edges_know(from_edges, lens);
+  rows_too_far_ = edges_know && row_count_ > 0 && farther_by(independent_rows(), from_edges) > kGateSigmas;
   const NormalEquations rows = believed_rows(noise);
-  if (!(rows.information.rr > 0) || (edges_know(from_edges, lens) && !agree(rows, from_edges))) {
-    return from_edges;
-  }
+  if (!(rows.information.rr > 0)) return from_edges;
+  if (from_edges.ok() && edges_know && std::fabs(farther_by(rows, from_edges)) > kGateSigmas) return from_edges;
   NormalEquations both = rows;
   both.add(edges);
   CylinderEstimate estimate = solve_equations(both, lens);
@@ -280,19 +281,23 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
 }
 
 NormalEquations Cylinder::believed_rows(const MeasurementNoise& noise) const {
-  NormalEquations rows;
   if (trend_.verdict() == RowVerdict::kTooFar) {
+    NormalEquations rows;
     const RowTrend::Front front = trend_.front();
     rows.add(front.plane.normal, front.plane.bound, 1 / (front.variance + shape_variance(noise)));
     return rows;
   }
-  rows = rows_;
+  return independent_rows();
+}
+
+NormalEquations Cylinder::independent_rows() const {
+  NormalEquations rows = rows_;
   if (row_count_ > kIndependentRows) rows.scale(kIndependentRows / row_count_);
   return rows;
 }
 
 bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const {
-  if (!from_edges.ok()) return false;
+  if (!(from_edges.covariance.xx > 0)) return false;
   const Vec2 away = from_edges.center - lens;
   const float variance = from_edges.covariance.position_along(away) / away.squared_norm();
   return variance * false_depth_ * kTrueDepth < 1.0F;
@@ -314,7 +319,7 @@ void Cylinder::hash(base::Fnv1a64& hash) const {
   hash.f32(false_depth_);
   if (known_radius_ > 0) hash.f32(known_radius_);
   hash.u8(views_);
-  hash.u8(seen_whole_ ? 1 : 0);
+  hash.u8(static_cast<std::uint8_t>((seen_whole_ ? 1U : 0U) | (rows_too_far_ ? 2U : 0U)));
   hash.u8(whole_views_);
   hash.u8(static_cast<std::uint8_t>(estimate_.refusal));
   if (!estimate_.ok()) return;

@@ -257,14 +257,16 @@ class ObjectTable {
   static float weight(const ObjectCore& object) { return object.presence * static_cast<float>(object.views); }
 
   // A single sighting beside a confirmed object was noise. A refuted object with few views never existed. Real cameras
-  // miss better known objects in more frames than refute one: such an object stays, and only its alerts stop.
+  // miss better known objects in more frames than refute one: such an object stays, and only its alerts stop. What may
+  // move is not where it was; a stationary robot has passed nothing.
   void end_refuted(MatcherType& matcher) {
     for (std::size_t o = 0; o < kObjects; ++o) {
       const ObjectType& object = objects_[o];
       if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
       const bool once = object.views == 1 && has_better_namesake(o);
-      const bool refuted = object.refuted() && object.views < kFewViews;
-      if (once || refuted) end(o, EventKind::kDeleted, matcher);
+      const bool refuted = object.refuted() && (object.views < kFewViews || object.may_move());
+      const bool gone = object.may_move() && object.last_seen <= stands_since_ && !matcher.prediction(o).possible;
+      if (once || refuted || gone) end(o, EventKind::kDeleted, matcher);
     }
   }
 

@@ -335,6 +335,41 @@ TEST(Map, AFewSightingsThatNothingBearsOutAreForgotten) {
 }
 
 // A small table, and a robot that drives on: the objects that it saw first make room, but not within five seconds.
+// Two posts leave the image at its sides. To the edges, the one that comes by itself is half as far as it is.
+TEST(Map, WhatMayMoveIsForgottenBesideTheImage) {
+  constexpr double kStep = 0.02;  // m/frame, of the robot and of the post that comes
+  Drive<config::Full> drive;
+  bool sure = false;
+  for (int i = 0; i < 110; ++i) {
+    const std::vector<Post> posts = {{1, 3.2 - kStep * i, -0.3, 0.06}, {2, 1.6, 0.3, 0.06}};
+    drive.step(posts, kStep * i, 0, 0);
+    for (const auto* object : drive.objects()) {
+      EXPECT_TRUE(object->signature == 1 || !object->may_move()) << i;
+      sure = sure || object->may_move();
+    }
+    // It has just left the image at one side, the other post at the other side is still there.
+    if (i == 72) {
+      EXPECT_EQ(drive.objects().size(), 2U);
+    }
+  }
+  EXPECT_TRUE(sure);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  EXPECT_EQ(drive.objects()[0]->signature, 2);
+  EXPECT_TRUE(drive.objects()[0]->confirmed);
+}
+
+// A robot that stops where it saw a thing last does not forget it, whatever it may be.
+TEST(Map, WhatMayMoveStaysBeforeAStationaryRobot) {
+  Drive<config::Full> drive;
+  for (int i = 0; i < 66; ++i) drive.step({{1, 3.2 - 0.02 * i, -0.3, 0.06}}, 0.02 * i, 0, 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  ASSERT_TRUE(drive.objects()[0]->may_move());
+  const double stopped = 0.02 * 66;
+  for (int i = 0; i < 8; ++i) drive.step({{1, 3.2 - 0.02 * 66, -0.3, 0.06}}, stopped, 0, 0);
+  for (int i = 0; i < 100; ++i) drive.step({}, stopped, 0, 0);
+  EXPECT_EQ(drive.objects().size(), 1U);
+}
+
 TEST(Map, AFullTableForgetsWhatIsLongOutOfSight) {
   Drive<config::Micro> drive;
   const auto pass = [&](std::uint8_t signature, double along) {
@@ -669,7 +704,7 @@ TEST(Map, OfThingsOnALattice) {
     tell_map<config::Small>(draw, sweep, 60);
     tell_map<config::Full>(draw, sweep, 40);
   }
-  expect_said(sweep, {"digest 960 b571e9ea", "matched 925 9bbd2aa1", "born 180 4cb9edca", "pieces 209 cf40f977",
+  expect_said(sweep, {"digest 960 0c2ab152", "matched 925 9bbd2aa1", "born 180 4cb9edca", "pieces 209 cf40f977",
                       "refused 201 80c7356b", "event 1011 a9f609e0", "guard 0 654737f8", "evicted 6 fa581057",
                       "size 0 69488d24"});
 }

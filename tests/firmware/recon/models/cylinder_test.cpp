@@ -186,10 +186,39 @@ TEST(Cylinder, RowsOfAnObjectAboveTheFloorAreDropped) {
     stand_on_floor(s, 1.7 * (1.0 - kRadius));  // 5 cm up, seen from 12 cm
     add(cylinder, s);
   }
+  EXPECT_TRUE(cylinder.rows_too_far());
   ASSERT_TRUE(cylinder.estimate().ok());
   EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
   EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 2e-3F);
   EXPECT_NEAR(cylinder.estimate().radius, 0.06F, 2e-3F);
+}
+
+// On the way to a post, its rows may be those of a foot on the floor or of a thing that comes nearer.
+TEST(Cylinder, RowsAreTooFarForAThingThatComes) {
+  struct Case {
+    const char* what;
+    double comes;  // m, while the robot drives one
+    double base;   // as a share of the lens's height
+    double drives;
+    bool too_far;
+  };
+  for (const Case& c :
+       {Case{"on the floor", 0, 0, 1, false}, Case{"comes", 1, 0, 1, true}, Case{"comes slowly", 0.4, 0, 1, true},
+        Case{"recedes", -0.5, 0, 1, false}, Case{"seen from one place", 0, 0.4, 0, false}}) {
+    SCOPED_TRACE(c.what);
+    Cylinder cylinder;
+    EXPECT_FALSE(cylinder.rows_too_far());
+    for (int i = 0; i < 36; ++i) {
+      const double driven = 0.03 * i;
+      const host::Point center{2.2 - c.comes * driven, 0.4};
+      const host::Point lens{c.drives * driven, 0};
+      recon::Sighting s = view_of_circle(center, kRadius, lens).sighting;
+      s.axis = unit(0);
+      stand_on_floor(s, (center.x - kRadius - lens.x) / (1 - c.base));
+      add(cylinder, s);
+    }
+    EXPECT_EQ(cylinder.rows_too_far(), c.too_far);
+  }
 }
 
 // Rows read with a wrong pitch move the estimate, but not the circle of the edges.
@@ -348,7 +377,7 @@ TEST(Cylinder, OfViewsFromALattice) {
       sweep.tell("bearings", static_cast<std::uint32_t>(hash.value()));
     }
   }
-  expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 c1165f51", "refusal 745 969ab905", "whole 401 11075e9d",
+  expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 a628e528", "refusal 745 969ab905", "whole 401 11075e9d",
                       "rows 1778 a416d5d7", "sigma 2855 ad362711", "bearings 1200 a7446894"});
 }
 
