@@ -59,15 +59,6 @@ TEST_F(Fronts, AreWhereTheGuardsOriginPutsThem) {
   EXPECT_EQ(seen().due, AlertLevel::kStop);
 }
 
-// Of a robot that is faster than 0.01 m/s.
-TEST_F(Fronts, AreNearerWhenTheRobotCloses) {
-  put(263, 0);
-  path_.motion.forward = alert::kStanding;
-  EXPECT_EQ(see().due, AlertLevel::kWarn);
-  path_.motion.forward = std::nextafter(alert::kStanding, 1.0F);
-  EXPECT_EQ(see().due, AlertLevel::kStop) << "by 1 mm until the next look";
-}
-
 TEST_F(Fronts, BesideTheWaySaysNothing) {
   put(240, 125);
   put(240, -125);

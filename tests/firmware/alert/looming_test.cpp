@@ -204,24 +204,6 @@ TEST_F(Looks, AStrayThatStaysAloneIsForgotten) {
   EXPECT_NEAR(looming_.tracks()[0].depth, depth, 160) << "1 cm";
 }
 
-// Of a guard's front and a thing that comes. See AlertSweep for all that they share.
-TEST(MoreUrgent, IsTheHigherLevelThenTheNearerPlace) {
-  const auto chosen = [](AlertLevel due_one, float near_one, AlertLevel due_other, float near_other) {
-    FrontAhead one, other;
-    one.due = due_one, other.due = due_other;
-    one.nearest.distance = near_one, other.nearest.distance = near_other;
-    one.nearest.known = near_one > 0, other.nearest.known = near_other > 0;
-    one.signature = 1, other.signature = 2;
-    return int{more_urgent(one, other).signature};
-  };
-  EXPECT_EQ(chosen(AlertLevel::kStop, 2, AlertLevel::kWarn, 1), 1);
-  EXPECT_EQ(chosen(AlertLevel::kWarn, 1, AlertLevel::kStop, 2), 2);
-  EXPECT_EQ(chosen(AlertLevel::kWarn, 2, AlertLevel::kWarn, 1), 2);
-  EXPECT_EQ(chosen(AlertLevel::kWarn, 1, AlertLevel::kWarn, 2), 1);
-  EXPECT_EQ(chosen(AlertLevel::kClear, 0, AlertLevel::kClear, 1), 2) << "the one whose place is known";
-  EXPECT_EQ(chosen(AlertLevel::kClear, 1, AlertLevel::kWarn, 0), 1);
-}
-
 TEST_F(Looks, ABallIsAnnouncedAndStaysSo) {
   for (const double speed : {0.3, 0.5, 1.0, 1.5}) {
     for (const double aside : {-0.3, 0.0, 0.3}) {

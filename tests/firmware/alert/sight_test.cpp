@@ -128,25 +128,6 @@ TEST(Rhythm, AnInputIsOverdueAfterItsUsualIntervals) {
   }
 }
 
-TEST(Sight, ARunThatBeginsHasTime) {
-  for (const auto& [standing, ms] : {std::pair(false, 270), {true, 1'000}}) {
-    alert::Sight sight;
-    const base::Time last = base::Time{} + base::milliseconds(ms);
-    const base::Time late = last + base::Duration{1};
-    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNone) << "before it begins";
-    sight.start(base::Time{});
-    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
-    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNoCamera);
-    sight.frame_came(last);
-    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
-    EXPECT_EQ(sight.blindness(late, standing), Blindness::kNoOdometry);
-    sight.odometry_came({last, {}, {}, {}});
-    EXPECT_EQ(sight.blindness(last, standing), Blindness::kNone);
-    EXPECT_EQ(sight.blindness(late, standing), Blindness::kFramesUnused);
-    EXPECT_EQ(sight.camera_state(late, standing), LinkState::kUnready);
-  }
-}
-
 TEST(Sight, SilentOdometryIsSaidInTime) {
   Inputs inputs;
   inputs.run(1);

@@ -105,21 +105,6 @@ TEST(SweptArea, IsTheStripAhead) {
   EXPECT_FALSE(area.contains(-300, 0));
 }
 
-// An arc of 0.5 m to the left, half width 0.12 m: half a metre on it is at (0.42, 0.23).
-TEST(SweptArea, FollowsTheArc) {
-  const SweptArea left(path_of(0.25F, 0.5F), 0.03F);
-  EXPECT_TRUE(left.contains(421, 230));
-  EXPECT_TRUE(left.contains(421 + 84, 230 - 54));
-  EXPECT_FALSE(left.contains(421, 0));
-  EXPECT_FALSE(left.contains(421, -230));
-  const SweptArea right(path_of(0.25F, -0.5F), 0.03F);
-  EXPECT_TRUE(right.contains(421, -230));
-  EXPECT_FALSE(right.contains(421, 230));
-  const SweptArea back(path_of(-0.25F, -0.5F), 0.03F);  // its pivot is to the left, too
-  EXPECT_TRUE(back.contains(-421, 230));
-  EXPECT_FALSE(back.contains(-421, -230));
-}
-
 // The same as distances from the pivot say, for all radii and places within reach.
 TEST(SweptArea, IsWhatTheDistanceFromThePivotSays) {
   for (const float radius : {0.16F, 0.3F, 1.0F, 5.0F, 49.0F}) {
@@ -290,66 +275,6 @@ TEST(Footprint, HoldsWhatTheBodyMeets) {
     }
   }
   EXPECT_GT(met, 1000);
-}
-
-// The disc (x, y, radius) meets a round robot's strip, by distances.
-bool meets_strip(const RobotPath& path, const alert::Ways& ways, double x, double y, double radius) {
-  if (std::hypot(x, y) < radius) return true;
-  if (!(x > 0 ? ways.ahead : ways.behind)) return false;
-  const double reach = double{path.half_width} + radius;
-  if (ways.straight && std::fabs(y) <= reach) return true;
-  if (!ways.arc) return false;
-  const double pivot = double{path.motion.forward} / double{path.motion.turn};
-  return std::fabs(std::hypot(x, y - pivot) - std::fabs(pivot)) <= reach;
-}
-
-TEST(Footprint, OfWidthAloneSweepsAStrip) {
-  for (const auto& [forward, turn] : {std::pair{0.0F, 0.0F},
-                                      {0.0F, 1.0F},
-                                      {0.2F, 0.0F},
-                                      {-0.2F, 0.0F},
-                                      {0.2F, 0.7F},
-                                      {-0.3F, 0.9F},
-                                      {0.05F, 0.2F},
-                                      {-0.05F, 0.2F},
-                                      {0.5F, -0.02F},
-                                      {0.3F, 3.0F}}) {
-    const RobotPath path = path_of(forward, turn);
-    const alert::Ways ways(path);
-    const SweptByBody discs(path);
-    int different = 0;
-    for (int x = -1000; x <= 1000; x += 17) {
-      for (int y = -1000; y <= 1000; y += 17) {
-        for (const float radius : {0.0F, 0.05F, 0.3F}) {
-          if (x == 0) continue;
-          const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
-          const bool meets = meets_strip(path, ways, 1e-3 * x, 1e-3 * y, double{radius});
-          different += discs.touches(center, radius) != meets ? 1 : 0;
-        }
-      }
-    }
-    EXPECT_LE(different, 2) << forward << " " << turn;  // rounding at the border
-    EXPECT_EQ(discs.overhang({1, 0}), 0);
-    EXPECT_EQ(discs.overhang({-1, 0}), 0);
-  }
-}
-
-// A disc is a point with a wider margin.
-TEST(Footprint, DiscsAndPointsAgree) {
-  for (const auto& [forward, turn] : {std::pair{0.2F, 0.0F}, {0.2F, 0.7F}, {-0.2F, 0.9F}, {0.0F, 0.5F}}) {
-    for (const float rear : {0.0F, 0.2F}) {
-      const SweptArea points(body_of(rear, rear, forward, turn), 0);
-      const SweptByBody discs(body_of(rear, rear, forward, turn));
-      int different = 0;
-      for (int x = -500; x <= 500; x += 11) {
-        for (int y = -500; y <= 500; y += 11) {
-          const recon::Vec2 center = 1e-3F * recon::Vec2(static_cast<float>(x), static_cast<float>(y));
-          different += points.contains(x, y) != discs.touches(center, 0) ? 1 : 0;
-        }
-      }
-      EXPECT_LE(different, 10) << forward << " " << turn << " " << rear;  // rounding at the border
-    }
-  }
 }
 
 // Points of a front are 64 mm apart.

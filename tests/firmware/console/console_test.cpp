@@ -201,20 +201,6 @@ TEST(Console, StatusSaysTheHeadingOnACompass) {
   }
 }
 
-TEST(Console, StatusRecordHasEachCounter) {
-  console::Counters counters;
-  counters.frames = 1;
-  counters.blobs = 2;
-  counters.blobs_dropped = 3;
-  counters.odometry = 4;
-  counters.rejected = 5;
-  counters.refused = {6, 7, 8, 9};
-  counters.records_dropped = 10;
-  counters.loop_us_max = 11;
-  const record::StatusReport report = console::report_status({12}, counters, 13);
-  EXPECT_EQ(line_of(report), record::sealed("FPSTA,0.0012,1,2,3,4,5,30,10,13,11") + "\r\n");
-}
-
 TEST(Console, ObjectsAndMapSayWhatIsMissing) {
   Desk<> desk;
   EXPECT_EQ(desk.type_line("objects"), "no objects: no odometry came in\r\n");

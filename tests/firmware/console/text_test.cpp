@@ -6,8 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "firmware/console/link_words.hpp"
-
 namespace fencepost::test {
 namespace {
 
@@ -44,12 +42,6 @@ TEST(Text, WhatIsNoObjectIsSomething) {
   stop.id = record::kNoObject;
   EXPECT_EQ(sentence(stop, "red"), "STOP    something red  0.24 m  ahead\r\n");
   EXPECT_EQ(sentence(stop, ""), "STOP    something  0.24 m  ahead\r\n");
-}
-
-TEST(Text, OfJustTheRoomFitsIt) {
-  std::array<char, 21> out{};
-  EXPECT_EQ(console::describe_link(sensor::LinkState::kOk, "the odometry!", "", out), 21U);
-  EXPECT_EQ(console::describe_link(sensor::LinkState::kOk, "the odometry!!", "", out), 0U);
 }
 
 TEST(Text, RoundsTheBearingToDegrees) {

@@ -126,16 +126,6 @@ TEST(Journal, StoppedTheLoopGoesOn) {
   EXPECT_EQ(desk.memory().counters.odometry, before + 50);
 }
 
-TEST(Journal, HoldsNothingOfASelftest) {
-  Desk<Journaled> desk(Mode::kText);
-  desk.memory().journal.start();
-  EXPECT_EQ(desk.type_line("selftest").find("selftest "), 0U);
-  const std::string journal = take_journal(desk);
-  for (const char* kind : {"$FPALR", "$FPFRM", "$FPODO", "$FPOBJ", "$FPDIG"}) {
-    EXPECT_EQ(journal.find(kind), std::string::npos) << kind;
-  }
-}
-
 TEST(Journal, ConsoleModesMayChangeMeanwhile) {
   Desk<Journaled> desk(Mode::kText, desk_approach(100));
   desk.memory().journal.start();

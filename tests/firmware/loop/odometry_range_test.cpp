@@ -67,21 +67,6 @@ TEST(OdometryRange, EveryModeDoesTheSame) {
   }
 }
 
-struct SilentWheels {
-  base::Result<sensor::OdometrySample> poll(base::Time) { return at(1, 20'000'000); }
-  [[nodiscard]] sensor::LinkState link() const { return sensor::LinkState::kSilent; }
-};
-
-TEST(OdometryRange, ALinkThatIsDownIsSaidAsThat) {
-  SilentWheels wheels;
-  loop::RangedOdometry<SilentWheels> ranged(wheels);
-  static_cast<void>(ranged.poll({}));
-  EXPECT_FALSE(ranged.in_range());
-  EXPECT_EQ(ranged.link(), sensor::LinkState::kSilent);
-  EXPECT_EQ(std::string_view(ranged.link_words(sensor::LinkState::kSilent).detail), "no answer");
-  EXPECT_EQ(std::string_view(ranged.link_words(sensor::LinkState::kUnready).detail), "out of range");
-}
-
 TEST(OdometryRange, TheLinkSaysSo) {
   Desk<> log(Mode::kLog, lost_for_a_while());
   log.turn(8'000);

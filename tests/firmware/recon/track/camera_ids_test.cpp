@@ -243,15 +243,6 @@ TEST(CameraIds, AreLastInTheOrderOfBlobs) {
   }
 }
 
-TEST(CameraIds, AreThoseOfBlobsWithoutAWidthToo) {
-  recon::WaitingBlob blob{{100, 80, 100, 120}, 1, false, true};
-  blob.track = 5;
-  recon::Observations seen;
-  recon::observe({&blob, 1}, recon::make_camera_model(level_pixy2()), seen);
-  ASSERT_EQ(seen.size(), 1U);
-  EXPECT_EQ(seen[0].track, 5);
-}
-
 TEST(CameraIds, SpeakForAPairOrAgainstIt) {
   EXPECT_EQ(recon::cost_with_ids(80, 7, 7, 48), 32);
   EXPECT_EQ(recon::cost_with_ids(30, 7, 7, 48), 0);
