@@ -26,10 +26,7 @@ Action configure_calibrate(Options command) {
       .repeated();
   command.value("--from", request->from, "s, stream time; earlier records are not used").takes("T");
   command.value("--to", request->to, "s, stream time; later records are not used").takes("T");
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.log_camera(request->camera);
   command.value("--robot", request->robot, "the robot file whose other numbers --write-robot keeps").takes("FILE");
   add_outputs(command, request);
   return [request] { return run_calibrate(*request); };

@@ -153,12 +153,8 @@ Action configure_evaluate(Options command) {
   command.value("--max-paranoia", request->max_paranoia, "0 to 1; exit 1 if a model's mean is above")
       .takes("Y")
       .within(0.0, 1.0);
-  command.value("--profile", request->profile, "capacities of the robot; default: the log's, else full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->profile);
+  command.log_camera(request->camera);
   command.flag("--smooth", request->smooth,
                "also the least-squares optimum of each log, beside the online map; by fencepost-lab");
   command.flag("--json", request->json, "write the measures as JSON instead of text");

@@ -234,12 +234,8 @@ Action configure_export(Options command) {
       .count(2, 3)
       .within(-360.0, 360.0);
   command.value("--scale", request->scale, "png: pixels for one of the SVG's; default 2").takes("F").within(0.1, 8.0);
-  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->options.profile);
+  command.log_camera(request->camera);
   command.value("--from", request->options.from, "s, stream time; earlier records are not used").takes("T");
   command.value("--to", request->options.to, "s, stream time; later records are not used").takes("T");
   return [request] { return run(*request); };

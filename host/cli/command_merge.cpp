@@ -12,12 +12,8 @@ Action configure_merge(Options command) {
       .positional("LOG", request->logs,
                   "recorded streams, all runs of each; the map frame is that of the first; - is standard input")
       .required();
-  command.value("--profile", request->profile, "capacities of the robots; default: each log's, else full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->profile, "capacities of the robots; default: each log's, else full");
+  command.log_camera(request->camera);
   command.flag("--json", request->json, "write the result document, with \"runs\" and \"sources\", instead of text");
   command.value("-o,--output", request->output, "where to write; default: standard output").takes("FILE");
   return [request] { return run_merge(*request); };

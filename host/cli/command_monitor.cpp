@@ -13,16 +13,15 @@
 #include "hal/linux/clock.hpp"
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
+#include "host/cli/live_devices.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/system.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/live/open_port.hpp"
 #include "host/monitor/believed.hpp"
 #include "host/monitor/log_player.hpp"
 #include "host/monitor/screen.hpp"
 #include "host/monitor/terminal_screen.hpp"
-#include "host/recorder/standard_input.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -187,21 +186,6 @@ class PortSource final : public Source {
 
 bool is_port(const std::string& what) { return what == "-" || what.starts_with("tcp:") || names_device(what); }
 
-std::unique_ptr<BytePort> open_monitored(const MonitorRequest& request) {
-  if (request.what == "-") return std::make_unique<StandardInput>();
-  Place place{PlaceKind::kTty, request.what};
-  if (request.what.starts_with("tcp:")) {
-    const std::optional<Place> tcp = parse_tcp(request.what);
-    if (!tcp) throw Failure(Exit::kUsage, fmt::format("'{}' is no place; write tcp:HOST:PORT", request.what));
-    place = *tcp;
-  }
-  try {
-    return open_line(place, request.baud, {"PORT", request.wait});
-  } catch (const DeviceFailure& failure) {
-    throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
-  }
-}
-
 /// The log that the robot's loop writes of these inputs: its beliefs, even if the log itself has none.
 std::string own_log(const MonitorRequest& request) {
   ReplayOptions options = request.options;
@@ -269,7 +253,8 @@ Exit watch(const MonitorRequest& request) {
   ScreenFeed feed(believed);
   std::unique_ptr<Source> source;
   if (port) {
-    source = std::make_unique<PortSource>(open_monitored(request), request, believed, feed);
+    source =
+        std::make_unique<PortSource>(open_console(request.what, request.baud, request.wait), request, believed, feed);
   } else {
     source = std::make_unique<PlayedSource>(own_log(request), request.speed, feed);
   }
@@ -307,13 +292,8 @@ Action configure_monitor(Options command) {
   command.value("--baud", request->baud, "of a serial port; default: 115200").takes("N").positive();
   command.flag("--no-command", request->no_command, "do not ask a robot for mode log");
   command.flag("--wait", request->wait, "wait for a port that is not there yet");
-  command
-      .value("--profile", request->options.profile, "of a log: capacities of the robot; default: the log's, else full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->options.profile, "of a log: capacities of the robot; default: the log's, else full");
+  command.log_camera(request->camera);
   return [request] { return run(*request); };
 }
 

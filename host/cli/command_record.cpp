@@ -13,9 +13,7 @@
 #include "host/cli/record_devices.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/terminal.hpp"
-#include "host/live/open_port.hpp"
 #include "host/recorder/recorder.hpp"
-#include "host/recorder/standard_input.hpp"
 #include "host/recorder/status_text.hpp"
 
 namespace fencepost::host::cli {
@@ -89,21 +87,6 @@ std::string default_name() {
 
 std::string file_name(const RecordRequest& request) { return request.output.empty() ? default_name() : request.output; }
 
-std::unique_ptr<BytePort> open_port(const RecordRequest& request) {
-  if (request.port == "-") return std::make_unique<StandardInput>();
-  Place place{PlaceKind::kTty, request.port};
-  if (request.port.starts_with("tcp:")) {
-    const std::optional<Place> tcp = parse_tcp(request.port);
-    if (!tcp) throw Failure(Exit::kUsage, fmt::format("'{}' is no place; write tcp:HOST:PORT", request.port));
-    place = *tcp;
-  }
-  try {
-    return open_line(place, request.baud, {"PORT", request.wait});
-  } catch (const DeviceFailure& failure) {
-    throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
-  }
-}
-
 /// The empty line terminates a partly typed one.
 std::string greeting(const RecordRequest& request) {
   if (request.no_command || request.port == "-") return {};
@@ -147,7 +130,7 @@ Exit exit_code(const RecordingEnd& end) {
 Exit record_console(const RecordRequest& request) {
   const linux::MonotonicClock clock;
   StopSignals signals;
-  const std::unique_ptr<BytePort> port = open_port(request);
+  const std::unique_ptr<BytePort> port = open_console(request.port, request.baud, request.wait);
   const std::string name = file_name(request);
   LogFile log = opened(
       LogFile::open({.path = name, .part_bytes = request.parts.bytes(), .part_age = request.parts.age()}, clock.now()));

@@ -158,8 +158,7 @@ Action configure_replay(Options command) {
   command.value("--diff", request->diff, "instead: settings, calibration and alerts of two logs; exit 1 if they differ")
       .takes("A B")
       .count(2);
-  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      .one_of({"micro", "small", "full"});
+  command.profile(request->options.profile);
   command.flag("--json", request->json, "write the result document instead of text");
   command.flag("--passes", request->passes, "instead: what was driven past, on which side, how near");
   command.value("--sides", request->sides, "the same, and where each has to be passed; exit 1 if one was not")

@@ -157,12 +157,8 @@ Action configure_report(Options command) {
       "--whole", request->whole,
       "each log with every byte, however large the page becomes; default: at most 2 MB, of longer logs as much as "
       "can be seen");
-  command.value("--profile", request->options.profile, "capacities of the robot; default: the log's, else full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->options.profile);
+  command.log_camera(request->camera);
   command
       .value("-o,--output", request->output,
              "default: the log's name with .html, in the current folder; of several fencepost-report.html")

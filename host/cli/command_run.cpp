@@ -262,7 +262,7 @@ Action configure_run(Options command) {
              "show the run in browsers of this machine, at http://127.0.0.1:PORT/; without a PORT at any that is free")
       .takes("[PORT]")
       .count(0, 1);
-  command.value("--profile", request->profile, "capacities; default: full").one_of({"micro", "small", "full"});
+  command.profile(request->profile, "capacities; default: full");
   command.value("--frames", request->frames, "stop after the N-th frame record").takes("N").positive();
   command.value("--seconds", request->seconds, "stop after so long").takes("N").positive();
   return [request] { return run(*request); };

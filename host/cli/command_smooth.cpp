@@ -12,12 +12,8 @@ Action configure_smooth(Options command) {
   command.flag("--calibrate", request->calibrate, "focal length, yaw, pitch, latency and mount are estimated, too");
   command.value("--from", request->from, "s, stream time; earlier records are not used").takes("T");
   command.value("--to", request->to, "s, stream time; later records are not used").takes("T");
-  command.value("--profile", request->profile, "capacities of the robot that it is compared with; default: full")
-      .one_of({"micro", "small", "full"});
-  command
-      .value("--camera", request->camera,
-             "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
-      .takes("FILE");
+  command.profile(request->profile, "capacities of the robot that it is compared with; default: full");
+  command.log_camera(request->camera);
   command.value("--report", request->report, "the optimum's map and path as one HTML file, the online outlines in it")
       .takes("FILE");
   command.flag("--json", request->json, "write the result document of the optimum instead of text");

@@ -6,6 +6,8 @@
 #include "host/cli/files.hpp"
 #include "host/cli/log_size.hpp"
 #include "host/devices/open_devices.hpp"
+#include "host/live/open_port.hpp"
+#include "host/recorder/standard_input.hpp"
 
 namespace fencepost::host::cli {
 
@@ -53,6 +55,21 @@ Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::
     throw Failure(failure->usage ? Exit::kUsage : Exit::kDevice, failure->message + hint);
   }
   return std::move(*std::get_if<Devices>(&opened));
+}
+
+std::unique_ptr<BytePort> open_console(const std::string& port, std::uint32_t baud, bool wait) {
+  if (port == "-") return std::make_unique<StandardInput>();
+  Place place{PlaceKind::kTty, port};
+  if (port.starts_with("tcp:")) {
+    const std::optional<Place> tcp = parse_tcp(port);
+    if (!tcp) throw Failure(Exit::kUsage, "'" + port + "' is no place; write tcp:HOST:PORT");
+    place = *tcp;
+  }
+  try {
+    return open_line(place, baud, {"PORT", wait});
+  } catch (const DeviceFailure& failure) {
+    throw Failure(failure.usage ? Exit::kUsage : Exit::kDevice, failure.message);
+  }
 }
 
 void PartOptions::add_to(Options command) {

@@ -1,12 +1,14 @@
-// Shared by `run` and `record`: the cameras and wheels of this machine.
+// Shared by `run`, `record` and `monitor`: cameras, wheels and robots' consoles at this machine.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "host/cli/options.hpp"
 #include "host/devices/device_spec.hpp"
 #include "host/live/device.hpp"
+#include "host/live/port.hpp"
 #include "host/live/robot_file.hpp"
 
 namespace fencepost::host::cli {
@@ -28,6 +30,9 @@ void add_colours(Options command, std::string& colours);
 
 /// errors: Failure (kUsage, kDevice)
 Devices open_devices_of(const DevicePair& named, const RobotFile& robot, linux::MonotonicClock clock, bool wait);
+
+/// A robot's console: a serial port, tcp:HOST:PORT, or - for standard input. errors: Failure (kUsage, kDevice)
+std::unique_ptr<BytePort> open_console(const std::string& port, std::uint32_t baud, bool wait);
 
 /// --log-size and --log-minutes: when a log goes on in a new part.
 struct PartOptions {

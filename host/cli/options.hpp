@@ -57,6 +57,10 @@ class Options {
   Option positional(const std::string& name, T& target, const std::string& text) {
     return value(name, target, text);
   }
+  /// --camera, of a log that does not have its own.
+  void log_camera(std::string& target);
+  /// --profile: micro, small or full.
+  void profile(std::string& target, const std::string& text = "capacities of the robot; default: the log's, else full");
   void flag(const std::string& names, bool& target, const std::string& text);
 
   /// Every command, with its help.

@@ -236,6 +236,15 @@ template Option Options::value(const std::string&, std::vector<double>&, const s
 template Option Options::value(const std::string&, std::vector<std::uint32_t>&, const std::string&);
 template Option Options::value(const std::string&, std::vector<std::string>&, const std::string&);
 
+void Options::log_camera(std::string& target) {
+  value("--camera", target, "a file with an FPCAM line, a scene, or its \"camera\": for logs without FPCAM")
+      .takes("FILE");
+}
+
+void Options::profile(std::string& target, const std::string& text) {
+  value("--profile", target, text).one_of({"micro", "small", "full"});
+}
+
 void Options::flag(const std::string& names, bool& target, const std::string& text) {
   command_->add_flag(names, target, text);
 }

@@ -20,7 +20,6 @@ constexpr int kConeSignature = 1;
 
 constexpr double kCycloidFocal = 200;  // px/rad
 // Bearings are 31 mrad off (1.8 degrees rms, by a filter that knows the cones): 6.3 columns.
-// it.
 constexpr const char* kEdgeNoise = "6.30";
 
 sensor::CameraIntrinsics cycloid_camera() {

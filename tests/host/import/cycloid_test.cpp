@@ -5,7 +5,6 @@
 
 #include "host/import/import.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -16,8 +15,7 @@ constexpr const char* kCones = "2\n0. -340.375\n626.5 340.375\n";
 TEST(ImportCycloid, FramesBecomeACarAndBearings) {
   const Files files;
   const ImportResult result = import_cycloid(files.put("drive.txt", kDrive), files.put("lm.txt", kCones));
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.cars.size(), 4U);
   EXPECT_EQ(log.cars[0].count, 0);
   EXPECT_EQ(log.cars[3].t.raw, 2'000);

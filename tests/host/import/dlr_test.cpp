@@ -10,7 +10,6 @@
 
 #include "host/import/dlr/dlr_files.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -26,8 +25,7 @@ std::string put_steps(const Files& files) {
 TEST(ImportDlr, StepsBecomePosesFromTheOriginAndDiscsBecomeBoxes) {
   const Files files;
   const ImportResult result = import_dlr(put_steps(files), {});
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.odometry.size(), 3U);
   EXPECT_EQ(log.odometry[0].x.raw, 0) << "the first motion is before the first image";
   EXPECT_EQ(log.odometry[1].x.raw, 10'000);
@@ -49,9 +47,7 @@ TEST(ImportDlr, IdentityNumbersDiscsByAppearanceAndUnknownOnesLast) {
   const Files files;
   DlrOptions options;
   options.identity = true;
-  const ImportResult result = import_dlr(put_steps(files), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(import_dlr(put_steps(files), options));
   EXPECT_EQ(log.frames[0].blobs[0].signature, 1);
   EXPECT_EQ(log.frames[1].blobs[0].signature, 32);
   EXPECT_EQ(log.frames[2].blobs[0].signature, 2);
@@ -63,9 +59,7 @@ TEST(ImportDlr, AWindowStartsAtTheOrigin) {
   options.from = 1;
   options.to = 2;
   const std::string file = put_steps(files);
-  const ImportResult result = import_dlr(file, options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(import_dlr(file, options));
   ASSERT_EQ(log.odometry.size(), 1U);
   EXPECT_EQ(log.odometry[0].x.raw, 0);
   EXPECT_EQ(log.odometry[0].t.raw, 0);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "host/import/import.hpp"
+#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 
@@ -42,6 +43,11 @@ class Files {
  private:
   std::filesystem::path folder_;
 };
+
+inline Recorded recorded(const ImportResult& result) {
+  EXPECT_TRUE(result.ok()) << result.error().message();
+  return result.ok() ? read_back(result->log) : Recorded();
+}
 
 /// A file of a folder with another text, and the error that an importer has to give.
 struct Damage {

@@ -9,7 +9,6 @@
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -43,12 +42,18 @@ void put_drive(const Files& files) {
   files.put("labels.txt", labels);
 }
 
-TEST(ImportKitti, ADriveIsScaledAndItsCarsAreOneSignature) {
+class ImportKitti : public testing::Test {
+ protected:
+  ImportKitti() { put_drive(files); }
+  [[nodiscard]] ImportResult imported(const KittiOptions& options = {}) const {
+    return import_kitti(files.folder(), options);
+  }
   const Files files;
-  put_drive(files);
-  const ImportResult result = import_kitti(files.folder(), {});
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+};
+
+TEST_F(ImportKitti, ADriveIsScaledAndItsCarsAreOneSignature) {
+  const ImportResult result = imported();
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 10U);
   ASSERT_EQ(log.odometry.size(), 10U);
   EXPECT_EQ(log.odometry[9].x.raw, 9'000) << "9 m at a tenth, in 0.1 mm";
@@ -73,16 +78,12 @@ TEST(ImportKitti, ADriveIsScaledAndItsCarsAreOneSignature) {
   EXPECT_EQ(result->summary.skipped[1], (std::pair<std::string, std::uint64_t>{"labels of other things than cars", 1}));
 }
 
-TEST(ImportKitti, IdentityIsASignatureForEachTrack) {
-  const Files files;
-  put_drive(files);
+TEST_F(ImportKitti, IdentityIsASignatureForEachTrack) {
   KittiOptions options;
   options.identity = true;
   options.pitch = -0.0175;
   options.scale = 0.5;
-  const ImportResult result = import_kitti(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(imported(options));
   ASSERT_EQ(log.signatures.size(), 2U);
   EXPECT_EQ(log.signatures[0].name.view(), "Car 4");
   EXPECT_EQ(log.signatures[1].name.view(), "Van 7");
@@ -92,24 +93,18 @@ TEST(ImportKitti, IdentityIsASignatureForEachTrack) {
   EXPECT_EQ(log.odometry[9].x.raw, 45'000);
 }
 
-TEST(ImportKitti, IdsAreThoseOfTheTracks) {
-  const Files files;
-  put_drive(files);
+TEST_F(ImportKitti, IdsAreThoseOfTheTracks) {
   KittiOptions options;
   options.ids = true;
-  const ImportResult result = import_kitti(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(imported(options));
   ASSERT_EQ(log.frames.size(), 10U);
   for (const auto& frame : log.frames) {
     for (const sensor::Blob& blob : frame.blobs) EXPECT_EQ(blob.track, blob.x1 == 580 ? 8 : 5);
   }
 }
 
-TEST(ImportKitti, TruthIsWhatIsParked) {
-  const Files files;
-  put_drive(files);
-  const ImportResult result = import_kitti(files.folder(), {});
+TEST_F(ImportKitti, TruthIsWhatIsParked) {
+  const ImportResult result = imported();
   ASSERT_TRUE(result.ok()) << result.error().message();
   ASSERT_TRUE(result->truth.has_value());
   const LoadedScene scene = parse_scene(write_scene(*result->truth), "truth");
@@ -124,8 +119,7 @@ TEST(ImportKitti, TruthIsWhatIsParked) {
   EXPECT_NEAR(union_area({car.footprint}, expected), 0.064, 1e-6);
 }
 
-TEST(ImportKitti, PlacesAreTakenThroughThePoseAndTheCamerasOffset) {
-  const Files files;
+TEST_F(ImportKitti, PlacesAreTakenThroughThePoseAndTheCamerasOffset) {
   // The camera looks along the world's -x, that is to our left (y), from x 0, z 2; labels are 0.5 m right of it.
   files.put("calib.txt", "P2: 721.5377 0 609.5593 360.76885 0 721.5377 172.854 0 0 0 1 0\n");
   std::string poses;
@@ -145,9 +139,7 @@ TEST(ImportKitti, PlacesAreTakenThroughThePoseAndTheCamerasOffset) {
   EXPECT_NEAR(intersection_area({result->truth->objects[0].footprint}, expected), 0.064, 1e-6);
 }
 
-TEST(ImportKitti, OneCarWithTwoTracksIsOneObject) {
-  const Files files;
-  put_drive(files);
+TEST_F(ImportKitti, OneCarWithTwoTracksIsOneObject) {
   std::string labels;
   for (int i = 0; i < 10; ++i) {
     labels += label(i, 1, "Car", 0, "600 180 620 200", 3, 20 - i, 0);
@@ -155,20 +147,17 @@ TEST(ImportKitti, OneCarWithTwoTracksIsOneObject) {
     labels += label(i, 3, "Car", 0, "600 180 620 200", 5, 20 - i, 0);
   }
   files.put("labels.txt", labels);
-  const ImportResult result = import_kitti(files.folder(), {});
+  const ImportResult result = imported();
   ASSERT_TRUE(result.ok()) << result.error().message();
   ASSERT_EQ(result->truth->objects.size(), 2U) << "1.5 m is one car, 2 m are two";
   EXPECT_EQ(result->truth->objects[1].name, "Car 3");
 }
 
-TEST(ImportKitti, ADetectorsBoxesTakeTheLabelsPlace) {
-  const Files files;
-  put_drive(files);
+TEST_F(ImportKitti, ADetectorsBoxesTakeTheLabelsPlace) {
   KittiOptions options;
   options.detections = files.put("found.txt", "0,100.4,170,150.2,200,0.9\n3,1230,170,1243,376,0.5\n99,1,1,2,2,0.1\n");
-  const ImportResult result = import_kitti(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const ImportResult result = imported(options);
+  const Recorded log = recorded(result);
   EXPECT_EQ(result->summary.blobs, 2U);
   EXPECT_EQ(log.frames[0].blobs[0].x2, 150);
   EXPECT_EQ(log.frames[3].blobs[0].x2, 1241) << "clamped to the image";
@@ -176,11 +165,9 @@ TEST(ImportKitti, ADetectorsBoxesTakeTheLabelsPlace) {
   EXPECT_EQ(result->truth->objects.size(), 1U) << "of the labels";
 }
 
-TEST(ImportKitti, LabelsWithoutAPoseAreCounted) {
-  const Files files;
-  put_drive(files);
+TEST_F(ImportKitti, LabelsWithoutAPoseAreCounted) {
   files.put("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
-  const ImportResult result = import_kitti(files.folder(), {});
+  const ImportResult result = imported();
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(result->summary.frames, 1U);
   EXPECT_EQ(result->summary.skipped[0], (std::pair<std::string, std::uint64_t>{"frames without a pose", 9}));
@@ -208,14 +195,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"labels.txt", "-1 1 Car 0 0 0 1 1 2 2 1 1 1 1 1 1 1\n", "/labels.txt:1", "negative frame"},
                     Damage{"labels.txt", "", "/labels.txt", "is empty"}));
 
-TEST(ImportKitti, RefusesMissingFilesAndBadOptions) {
-  const Files files;
-  EXPECT_EQ(import_kitti(files.folder(), {}).error().where, files.folder() + "/calib.txt");
-  put_drive(files);
+TEST_F(ImportKitti, RefusesMissingFilesAndBadOptions) {
   const auto error_of = [&](auto change) {
     KittiOptions options;
     change(options);
-    const ImportResult result = import_kitti(files.folder(), options);
+    const ImportResult result = imported(options);
     return result.ok() ? std::string("accepted") : result.error().where;
   };
   EXPECT_EQ(error_of([](KittiOptions& o) { o.scale = 0; }), "--scale");
@@ -231,6 +215,8 @@ TEST(ImportKitti, RefusesMissingFilesAndBadOptions) {
               o.ids = true;
             }),
             "--ids");
+  files.remove("calib.txt");
+  EXPECT_EQ(imported().error().where, files.folder() + "/calib.txt");
 }
 
 TEST(KittiData, HasParkedCars) {

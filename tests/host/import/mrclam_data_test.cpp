@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "host/import/import.hpp"
-#include "tests/host/simulate/recorded.hpp"
+#include "tests/host/import/files.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -74,8 +74,7 @@ TEST_P(MrclamData, TriangulatesTheSurveyedLandmarks) {
     GTEST_SKIP() << "data/mrclam is not there";
   }
   const ImportResult result = import_mrclam(folder, {});
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   EXPECT_GT(log.frames.size(), 2000U);
   auto lines = sightlines_of(log);
   std::vector<double> errors;

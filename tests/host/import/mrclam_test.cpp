@@ -9,7 +9,6 @@
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -27,12 +26,18 @@ void put_recording(const Files& files) {
             "101.200 63 2.000 0.100\n101.200 81 2.500 -0.200\n101.200 5 1.0 0.0\n101.300 99 1.0 0.0\n");
 }
 
-TEST(ImportMrclam, TurnsRowsIntoTangentBoxes) {
+class ImportMrclam : public testing::Test {
+ protected:
+  ImportMrclam() { put_recording(files); }
+  [[nodiscard]] ImportResult imported(const MrclamOptions& options = {}) const {
+    return import_mrclam(files.folder(), options);
+  }
   const Files files;
-  put_recording(files);
-  const ImportResult result = import_mrclam(files.folder(), {});
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+};
+
+TEST_F(ImportMrclam, TurnsRowsIntoTangentBoxes) {
+  const ImportResult result = imported();
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U) << "rows with one time are one frame";
   EXPECT_EQ(log.frames[0].t.raw, 12'000) << "1.2 s after the earliest time in any file";
   ASSERT_EQ(log.frames[0].blobs.size(), 2U) << "the other robot is left out";
@@ -55,37 +60,29 @@ TEST(ImportMrclam, TurnsRowsIntoTangentBoxes) {
   EXPECT_EQ(log.signatures[0].name.view(), "landmark 6");
 }
 
-TEST(ImportMrclam, TruePosesBecomeOdometryAndFramesFollowTheirPose) {
-  const Files files;
-  put_recording(files);
-  const Recorded log = read_back(import_mrclam(files.folder(), {})->log);
+TEST_F(ImportMrclam, TruePosesBecomeOdometryAndFramesFollowTheirPose) {
+  const Recorded log = recorded(imported());
   ASSERT_EQ(log.odometry.size(), 5U);
   EXPECT_EQ(log.odometry[2].t.raw, 14'000);
   EXPECT_EQ(log.odometry[2].x.raw, 2'000);
   EXPECT_EQ(std::string(log.order.begin(), log.order.end()), "HCSSOOOFFOO");
 }
 
-TEST(ImportMrclam, TakesEachFilePackedOrNot) {
-  const Files files;
-  put_recording(files);
-  const std::string plain = import_mrclam(files.folder(), {})->log;
+TEST_F(ImportMrclam, TakesEachFilePackedOrNot) {
+  const std::string plain = imported()->log;
   for (const char* name : {"Robot2_Measurement.dat", "Robot2_Groundtruth.dat", "Robot2_Odometry.dat", "Barcodes.dat",
                            "Landmark_Groundtruth.dat"}) {
     static_cast<void>(files.pack(name));
-    const ImportResult packed = import_mrclam(files.folder(), {});
+    const ImportResult packed = imported();
     ASSERT_TRUE(packed.ok()) << name << packed.error().message();
     EXPECT_EQ(packed->log, plain) << name;
   }
 }
 
-TEST(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
   MrclamOptions options;
   options.poses = PoseSource::kOdometry;
-  const ImportResult result = import_mrclam(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(imported(options));
   // From the truth at the first velocity (0, 0, 0): a quarter circle of radius 2/pi in 1 s. Then 2 s straight up at
   // 0.5 m/s.
   ASSERT_EQ(log.odometry.size(), 3U);
@@ -98,16 +95,12 @@ TEST(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
   EXPECT_NEAR(log.odometry[2].y.to_double(), 2 / kPi + 1, 1e-4);
 }
 
-TEST(ImportMrclam, AWindowStartsAtZeroFromTheTruePose) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, AWindowStartsAtZeroFromTheTruePose) {
   MrclamOptions options;
   options.poses = PoseSource::kOdometry;
   options.from = 1.1;
   options.to = 1.25;
-  const ImportResult result = import_mrclam(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(imported(options));
   ASSERT_EQ(log.frames.size(), 1U);
   EXPECT_EQ(log.frames[0].t.raw, 1'000);
   EXPECT_EQ(log.odometry[0].t.raw, 0);
@@ -115,26 +108,22 @@ TEST(ImportMrclam, AWindowStartsAtZeroFromTheTruePose) {
   EXPECT_EQ(log.odometry[0].heading.raw, 7'500);
   EXPECT_GT(log.odometry.back().t, log.frames[0].t) << "one sample past the end";
   options.poses = PoseSource::kTruth;
-  const Recorded truth = read_back(import_mrclam(files.folder(), options)->log);
+  const Recorded truth = recorded(imported(options));
   EXPECT_EQ(truth.frames.size(), 1U);
 }
 
-TEST(ImportMrclam, OtherRobotsOnRequest) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, OtherRobotsOnRequest) {
   MrclamOptions options;
   options.include_robots = true;
-  const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
+  const Recorded log = recorded(imported(options));
   EXPECT_EQ(log.frames[0].blobs.size(), 3U);
   EXPECT_EQ(log.signatures.size(), 4U);
 }
 
-TEST(ImportMrclam, RobotsAlikeAreOneSignature) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, RobotsAlikeAreOneSignature) {
   MrclamOptions options;
   options.include_robots = options.robots_alike = true;
-  const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
+  const Recorded log = recorded(imported(options));
   ASSERT_EQ(log.signatures.size(), 3U);
   EXPECT_EQ(log.signatures[0].name.view(), "robot");
   ASSERT_EQ(log.frames[0].blobs.size(), 3U);
@@ -142,50 +131,40 @@ TEST(ImportMrclam, RobotsAlikeAreOneSignature) {
   EXPECT_EQ(log.frames[0].blobs[1].signature, 6) << "the landmark's subject";
 }
 
-TEST(ImportMrclam, RangesBecomeGroundRowsOnRequest) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, RangesBecomeGroundRowsOnRequest) {
   MrclamOptions options;
   options.rows = true;
-  const Recorded log = read_back(import_mrclam(files.folder(), options)->log);
+  const Recorded log = recorded(imported(options));
   EXPECT_EQ(log.cameras[0].mount.z.raw, 3'000);
   ASSERT_TRUE(log.cameras[0].mount.pitch.has_value());
   // The nearest point in depth: 2 cos(0.1) - 0.06 = 1.93001 m; 3599.5 + 8100 * 0.3 / 1.93001 - 0.5 = 4858.06.
   EXPECT_EQ(log.frames[0].blobs[0].y2, 4858);
 }
 
-TEST(ImportMrclam, WithoutTruePosesOdometryStartsAtZero) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, WithoutTruePosesOdometryStartsAtZero) {
   std::filesystem::remove(files.folder() + "/Robot2_Groundtruth.dat");
   MrclamOptions options;
-  EXPECT_FALSE(import_mrclam(files.folder(), options).ok());
+  EXPECT_FALSE(imported(options).ok());
   options.poses = PoseSource::kOdometry;
-  const ImportResult result = import_mrclam(files.folder(), options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(imported(options));
   EXPECT_EQ(log.odometry[0].t.raw, 0) << "the earliest time is that of the odometry now";
   EXPECT_EQ(log.odometry[0].x.raw, 0);
   EXPECT_NEAR(log.odometry[1].x.to_double(), 2 / kPi, 1e-4);
 }
 
-TEST(ImportMrclam, BarcodesBeyond255FallBackToSubjects) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, BarcodesBeyond255FallBackToSubjects) {
   files.put("Barcodes.dat", "2 14\n6 630\n7 81\n");
   files.put("Robot2_Measurement.dat", "101.200 630 2.000 0.100\n");
-  const ImportResult result = import_mrclam(files.folder(), {});
+  const ImportResult result = imported();
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(read_back(result->log).frames[0].blobs[0].signature, 6);
   EXPECT_EQ(result->summary.notes.size(), 3U);
 }
 
-TEST(ImportMrclam, TruthIsAReadableSceneOfCircles) {
-  const Files files;
-  put_recording(files);
+TEST_F(ImportMrclam, TruthIsAReadableSceneOfCircles) {
   MrclamOptions options;
   options.diameter = 0.1;
-  const ImportResult result = import_mrclam(files.folder(), options);
+  const ImportResult result = imported(options);
   ASSERT_TRUE(result->truth.has_value());
   const LoadedScene scene = parse_scene(write_scene(*result->truth), "truth");
   ASSERT_TRUE(scene.ok()) << scene.error().message();
@@ -216,17 +195,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"Barcodes.dat", "6 630\n262 63\n", "/Barcodes.dat", "subject 262 and barcode 630"},
                     Damage{"Robot3_Measurement.dat", "2 63 1 0\n", "", "several robots"}));
 
-TEST(ImportMrclam, RefusesMissingFilesAndBadOptions) {
-  const Files files;
-  EXPECT_NE(import_mrclam(files.folder(), {}).error().what.find("no RobotN_Measurement.dat"), std::string::npos);
-  put_recording(files);
-  files.remove("Barcodes.dat");
-  EXPECT_EQ(import_mrclam(files.folder(), {}).error().where, files.folder() + "/Barcodes.dat");
-  put_recording(files);
+TEST_F(ImportMrclam, RefusesMissingFilesAndBadOptions) {
   const auto error_of = [&](auto change) {
     MrclamOptions options;
     change(options);
-    const ImportResult result = import_mrclam(files.folder(), options);
+    const ImportResult result = imported(options);
     return result.ok() ? std::string("accepted") : result.error().where;
   };
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.diameter = 0; }), "--diameter");
@@ -234,6 +207,10 @@ TEST(ImportMrclam, RefusesMissingFilesAndBadOptions) {
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.to = 0; }), "--to");
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.from = 500; }), "the window");
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.robot = 4; }), files.folder());
+  files.remove("Barcodes.dat");
+  EXPECT_EQ(imported().error().where, files.folder() + "/Barcodes.dat");
+  files.remove("Robot2_Measurement.dat");
+  EXPECT_NE(imported().error().what.find("no RobotN_Measurement.dat"), std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "host/geometry/rings.hpp"
 #include "host/import/import.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -52,8 +51,7 @@ std::string circle_views(int views) {
 TEST(ImportRings, ACircleComesBackFromTheLog) {
   const Files files;
   const ImportResult result = import_rings(files.put("bearings.csv", circle_views(60)));
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 60U);
   EXPECT_EQ(result->summary.frames, 60U);
   EXPECT_EQ(result->summary.blobs, 60U);
@@ -91,10 +89,8 @@ TEST(ImportRings, PixelsCostLessThanTenMicrometres) {
 
 TEST(ImportRings, RoundingOfHeadingsCostsNothing) {
   const Files files;
-  const ImportResult result =
-      import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.10004,-0.05,0.06,0,0,0\n"));
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log =
+      recorded(import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.10004,-0.05,0.06,0,0,0\n")));
   EXPECT_EQ(log.odometry[0].heading.raw, 31'000) << "0.04 mrad are rounded away";
   const double fx = log.cameras[0].fx.to_double();
   const double left = std::atan((log.cameras[0].cx.to_double() - (log.frames[0].blobs[0].x1 - 0.5)) / fx);
@@ -108,8 +104,7 @@ TEST(ImportRings, BorderEndsAreCensoredAndExcludedViewsSkipped) {
       import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.1415927,-0.05,0.06,1,0,0\r\n"
                                                              "1,0,1,-1.5707963,-0.05,0.06,0,1,0\r\n"
                                                              "2,0,1,-1.5707963,-0.05,0.06,0,0,1\r\n"));
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 2U);
   const int width = log.cameras[0].width;
   EXPECT_EQ(log.frames[0].blobs[0].x2, width - 1);  // lo is the right end

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host/import/take.hpp"
-#include "tests/host/simulate/recorded.hpp"
+#include "tests/host/import/files.hpp"
 
 namespace fencepost::host {
 
@@ -22,11 +22,6 @@ inline TakeSettings settings(int width = 316, int height = 208, int focal = 270)
   camera.cy = base::Pixels2::nearest((height - 1) / 2.0);
   settings.camera = camera;
   return settings;
-}
-
-inline Recorded recorded(const ImportResult& result) {
-  EXPECT_TRUE(result.ok()) << result.error().message();
-  return result.ok() ? read_back(result->log) : Recorded();
 }
 
 inline std::uint64_t skipped(const ImportResult& result, const std::string& what) {

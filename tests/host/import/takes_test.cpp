@@ -116,11 +116,10 @@ TEST(ImportSketch, ReadsWhatTheHuskyLensExamplePrints) {
 }
 
 TEST(ImportSketch, ReadsTrackingPacketsOfCmucams) {
-  const ImportResult result = import_sketch(
+  const Recorded log = recorded(import_sketch(
       "ACK\n:T 44 70 40 60 48 80 120 200\nT 44 70 40 60 48 80 120 200\nT 0 0 0 0 0 0 0 0\n45 71 41 61 49 81 120 200 "
       "\nT 44 70\n",
-      "monitor.txt", settings(88, 143));
-  const Recorded log = recorded(result);
+      "monitor.txt", settings(88, 143)));
   ASSERT_EQ(log.frames.size(), 3U);
   expect_box(log.frames[0].blobs[0], 1, 40, 60, 48, 80);
   EXPECT_EQ(log.frames[0].blobs[0].cy.to_double(), 70);

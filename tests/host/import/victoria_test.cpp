@@ -5,7 +5,6 @@
 
 #include "host/import/import.hpp"
 #include "tests/host/import/files.hpp"
-#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -25,8 +24,7 @@ ImportResult import_with(const Files& files, const VictoriaOptions& options, con
 TEST(ImportVictoria, SpeedAndSteeringBecomeACarAndTrunksBoxes) {
   const Files files;
   const ImportResult result = import_with(files, {});
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(result);
   ASSERT_EQ(log.cars.size(), 3U);
   EXPECT_EQ(log.cars[1].t.raw, 5'000) << "times from the first";
   EXPECT_EQ(log.cars[1].count, 1'000) << "1 m at a tenth";
@@ -50,9 +48,7 @@ TEST(ImportVictoria, RowsGiveTheRangeAndTheWindowItsTimes) {
   VictoriaOptions options;
   options.rows = true;
   options.to = 2;
-  const ImportResult result = import_with(files, options);
-  ASSERT_TRUE(result.ok()) << result.error().message();
-  const Recorded log = read_back(result->log);
+  const Recorded log = recorded(import_with(files, options));
   EXPECT_EQ(log.cars.size(), 2U);
   // atan(2 / 9.75) = 0.202320; 600 + 202.32 - 0.5.
   EXPECT_EQ(log.frames[0].blobs[0].y2, 802);

@@ -115,9 +115,8 @@ TEST(ImportWpilog, TakesPhotonVisionsCornersAtTheTimeOfTheirExposure) {
 }
 
 TEST(ImportWpilog, ATargetWithoutCornersIsABearing) {
-  const ImportResult result = imported(drive() + start(2, kPhotonName, kPhotonType) +
-                                       long_record(2, 10.08, photon({{.yaw = std::atan(0.2) * 180 / M_PI}})));
-  const Recorded log = recorded(result);
+  const Recorded log = recorded(imported(drive() + start(2, kPhotonName, kPhotonType) +
+                                         long_record(2, 10.08, photon({{.yaw = std::atan(0.2) * 180 / M_PI}}))));
   ASSERT_EQ(log.frames.size(), 1U);
   ASSERT_EQ(log.frames[0].blobs.size(), 1U);
   EXPECT_TRUE(log.frames[0].blobs[0].bearing);
@@ -180,12 +179,11 @@ TEST(ImportWpilog, TakesALimelightsJsonOfBothLayouts) {
 }
 
 TEST(ImportWpilog, TakesALimelightsAnglesAsBearings) {
-  const ImportResult result =
-      imported(drive() + start(2, kLimelight + "tx", "double") + start(3, kLimelight + "ty", "double") +
-               start(4, kLimelight + "tv", "double") + record(4, 10, real(1)) + record(3, 10, real(45)) +
-               record(2, 10.02, real(-20)) + record(4, 10.04, real(0)) + record(2, 10.04, real(0)) +
-               record(4, 10.05, real(1)) + record(3, 10.05, real(10)) + record(2, 10.05, real(10)));
-  const Recorded log = recorded(result);
+  const Recorded log =
+      recorded(imported(drive() + start(2, kLimelight + "tx", "double") + start(3, kLimelight + "ty", "double") +
+                        start(4, kLimelight + "tv", "double") + record(4, 10, real(1)) + record(3, 10, real(45)) +
+                        record(2, 10.02, real(-20)) + record(4, 10.04, real(0)) + record(2, 10.04, real(0)) +
+                        record(4, 10.05, real(1)) + record(3, 10.05, real(10)) + record(2, 10.05, real(10))));
   ASSERT_EQ(log.frames.size(), 3U);
   EXPECT_EQ(log.frames[0].blobs.size(), 0U) << "45 degrees up is outside of the image";
   EXPECT_EQ(log.frames[1].blobs.size(), 0U);
