@@ -66,9 +66,9 @@ TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
   EXPECT_NE(log_text.find("$FPSIG,1,d02020,red*"), std::string::npos);
   EXPECT_NE(log_text.find("$FPDIG,"), std::string::npos);
   EXPECT_NE(log_text.find("confirmed"), std::string::npos);
-  EXPECT_NE(run.out().find("NOTICE  red  "), std::string::npos) << run.out();
-  EXPECT_EQ(run.out().find('$'), std::string::npos) << run.out();
-  EXPECT_NE(run.err().find("log run.log"), std::string::npos) << run.err();
+  EXPECT_TRUE(holds(run.out(), "NOTICE  red  "));
+  EXPECT_FALSE(holds(run.out(), "$"));
+  EXPECT_TRUE(holds(run.err(), "log run.log"));
   expect_replays("run.log", digest_in(run.err()));
 }
 
@@ -81,10 +81,8 @@ TEST_F(CommandRun, IsShownInBrowsersOfThisMachine) {
   std::smatch port;
   const std::string said = run.err();
   ASSERT_TRUE(std::regex_search(said, port, std::regex("http://127.0.0.1:([0-9]+)/"))) << said;
-  const Outcome second = shell(folder, "fencepost run --camera console --odometry console --view " + port[1].str());
-  EXPECT_EQ(second.exit_code, 4) << second.err;
-  EXPECT_NE(second.err.find("127.0.0.1:" + port[1].str() + ": Address already in use"), std::string::npos)
-      << second.err;
+  EXPECT_TRUE(ends(shell(folder, "fencepost run --camera console --odometry console --view " + port[1].str()), 4,
+                   "127.0.0.1:" + port[1].str() + ": Address already in use"));
   EXPECT_EQ(run.wait(), 0) << run.err();
   expect_replays("run.log", digest_in(run.err()));
 }
@@ -93,7 +91,7 @@ TEST_F(CommandRun, ViewTakesAPortOrNone) {
   for (const char* port : {"0", "65536", "-1", "80x", "localhost"}) {
     const Outcome run = shell(folder, "fencepost run --camera console --odometry console --view=" + std::string(port));
     EXPECT_EQ(run.exit_code, 2) << port << run.err;
-    EXPECT_NE(run.err.find("--view takes a port"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "--view takes a port"));
   }
 }
 
@@ -102,8 +100,8 @@ TEST_F(CommandRun, WithALogTheConsoleIsForPeople) {
   const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");
   EXPECT_NE(shell(folder, command).out.find("$FPODO,"), std::string::npos);
   const Outcome run = shell(folder, command + " --log run.log");
-  EXPECT_NE(run.out.find("STOP  "), std::string::npos) << run.out;
-  EXPECT_EQ(run.out.find('$'), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.out, "STOP  "));
+  EXPECT_FALSE(holds(run.out, "$"));
 }
 
 TEST_F(CommandRun, WithoutATerminalTheConsoleIsTheLog) {
@@ -125,7 +123,7 @@ TEST_F(CommandRun, TheConsoleObeysWhileItLogs) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return run.out().find("camera link ok, pixy2 316x208; odometry link ok") != std::string::npos;
   })) << run.out();
-  EXPECT_NE(run.out().find("profile full, mode quiet"), std::string::npos) << run.out();
+  EXPECT_TRUE(holds(run.out(), "profile full, mode quiet"));
   run.type("set alert.notice 0.1\nstat\n");
   EXPECT_TRUE(run.says("alert.notice = 0.10 m")) << run.out();
   EXPECT_TRUE(run.says("error: unknown command 'stat'")) << run.out();
@@ -135,7 +133,7 @@ TEST_F(CommandRun, TheConsoleObeysWhileItLogs) {
   ASSERT_TRUE(logs("$FPFRM,", frames + 30));
   run.signal(SIGINT);
   EXPECT_EQ(run.wait(), 130);
-  EXPECT_EQ(run.out().find('$'), std::string::npos) << "quiet is quiet";
+  EXPECT_FALSE(holds(run.out(), "$")) << "quiet is quiet";
   expect_replays("run.log", digest_in(run.err()));
 }
 
@@ -196,8 +194,8 @@ TEST_F(CommandRun, ADeviceThatIsNotThereIsAnErrorThatSaysWhatToDo) {
   FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices());
   EXPECT_EQ(run.wait(), 4);
-  EXPECT_NE(run.err().find("pixy2: cannot open the serial port " + file("camera")), std::string::npos) << run.err();
-  EXPECT_NE(run.err().find("--wait"), std::string::npos) << run.err();
+  EXPECT_TRUE(holds(run.err(), "pixy2: cannot open the serial port " + file("camera")));
+  EXPECT_TRUE(holds(run.err(), "--wait"));
   EXPECT_TRUE(run.out().empty());
 }
 
@@ -225,7 +223,7 @@ TEST_F(CommandRun, PartsOfALogAreOneRunAndEachIsARecording) {
     EXPECT_LT(text.find("$FPCFG,alert.stop,"), text.find("$FPODO,")) << part;
     const Outcome alone = shell(folder, std::string("fencepost replay ") + part);
     EXPECT_EQ(alone.exit_code, 0) << alone.err;
-    EXPECT_NE(alone.out.find("confirmed"), std::string::npos) << alone.out;
+    EXPECT_TRUE(holds(alone.out, "confirmed"));
   }
   expect_replays("run.log run-*.log", digest_in(run.err()));
 }
@@ -233,9 +231,7 @@ TEST_F(CommandRun, PartsOfALogAreOneRunAndEachIsARecording) {
 TEST_F(CommandRun, NeverOverwritesALogUnlessTold) {
   spill(folder.path() / "run.log", "precious");
   const std::string command = "fencepost run --camera console --odometry console --log run.log < /dev/null";
-  const Outcome refused = shell(folder, command);
-  EXPECT_EQ(refused.exit_code, 4);
-  EXPECT_NE(refused.err.find("run.log: there is one"), std::string::npos) << refused.err;
+  EXPECT_TRUE(ends(shell(folder, command), 4, "run.log: there is one"));
   EXPECT_EQ(log(), "precious");
   EXPECT_EQ(shell(folder, command + " --force").exit_code, 0);
   EXPECT_NE(log(), "precious");
@@ -246,10 +242,10 @@ TEST_F(CommandRun, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
       shell(folder, "fencepost run --camera console --odometry console --mode text --log /dev/full < " +
                         recording("approach_stop.log"));
   EXPECT_EQ(full.exit_code, 4);
-  EXPECT_NE(full.err.find("cannot write the log /dev/full: No space left on device"), std::string::npos) << full.err;
-  EXPECT_NE(full.err.find("broken off after"), std::string::npos) << full.err;
-  EXPECT_NE(full.err.find("109 frames"), std::string::npos) << full.err;
-  EXPECT_NE(full.out.find("STOP  "), std::string::npos) << full.out;
+  EXPECT_TRUE(holds(full.err, "cannot write the log /dev/full: No space left on device"));
+  EXPECT_TRUE(holds(full.err, "broken off after"));
+  EXPECT_TRUE(holds(full.err, "109 frames"));
+  EXPECT_TRUE(holds(full.out, "STOP  "));
 }
 
 TEST_F(CommandRun, ALogPlayedIntoTheConsoleGivesItsDigest) {
@@ -301,8 +297,8 @@ TEST_F(CommandRun, AReaderThatLeavesDoesNotEndTheRun) {
   EXPECT_EQ(count(run.out, "\n"), 3U);
   EXPECT_EQ(count(run.err, "nobody reads standard output any more; the run goes on, its records are lost\n"), 1U)
       << run.err;
-  EXPECT_NE(run.err.find("bytes that the console did not take"), std::string::npos) << run.err;
-  EXPECT_EQ(run.err.find(" 0 frames"), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, "bytes that the console did not take"));
+  EXPECT_FALSE(holds(run.err, " 0 frames"));
 }
 
 TEST_F(CommandRun, WithALogNobodyNeedsToRead) {
@@ -324,7 +320,7 @@ TEST_F(CommandRun, AFullDiskBehindStandardOutputIsCountedAndEndsNothing) {
   const Outcome full = shell(folder, "(ulimit -f 16; " + command + " > full.log)");
   EXPECT_EQ(full.exit_code, 4);
   EXPECT_EQ(count(full.err, "cannot write standard output: File too large"), 1U) << full.err;
-  EXPECT_NE(full.err.find("109 frames"), std::string::npos) << full.err;
+  EXPECT_TRUE(holds(full.err, "109 frames"));
   EXPECT_EQ(digest_in(full.err), digest_in(all.err)) << "the loop saw all of it";
   const std::size_t size = log("full.log").size();
   EXPECT_GE(size, 8192U);
@@ -334,8 +330,8 @@ TEST_F(CommandRun, AFullDiskBehindStandardOutputIsCountedAndEndsNothing) {
       << "but for the digits of the loop's longest turn";
   const Outcome device = shell(folder, command + " > /dev/full");
   EXPECT_EQ(device.exit_code, 4);
-  EXPECT_NE(device.err.find("No space left on device; "), std::string::npos) << device.err;
-  EXPECT_NE(device.err.find("109 frames"), std::string::npos) << device.err;
+  EXPECT_TRUE(holds(device.err, "No space left on device; "));
+  EXPECT_TRUE(holds(device.err, "109 frames"));
 }
 
 /// A log whose disk takes nothing: a pipe with a page of room that nobody reads until `drain`.
@@ -376,8 +372,8 @@ TEST_F(CommandRun, ADiskThatStandsStillCostsTheLoopNothing) {
   run.signal(SIGTERM);
   spill(folder.path() / "drained", disk.drain(run));
   EXPECT_EQ(run.wait(), 0) << run.err();
-  EXPECT_EQ(run.err().find("queue"), std::string::npos) << "no input was refused for want of room: " << run.err();
-  EXPECT_EQ(run.err().find("silent"), std::string::npos) << "the camera is not to blame: " << run.err();
+  EXPECT_FALSE(holds(run.err(), "queue")) << "no input was refused for want of room: " << run.err();
+  EXPECT_FALSE(holds(run.err(), "silent")) << "the camera is not to blame: " << run.err();
   expect_replays("drained", digest_in(run.err()));
 }
 
@@ -427,7 +423,7 @@ TEST_F(CommandRun, RunsACommandAtEachChangeOfTheLevel) {
   const std::string levels = slurp(folder.path() / "levels");
   EXPECT_TRUE(std::regex_match(levels, std::regex("blind\nclear\n(.*\n)*notice \\d+ red\n(.*\n)*blind\n"))) << levels;
   EXPECT_TRUE(run.out().empty()) << "its output is none of the run's: " << run.out();
-  EXPECT_NE(run.err().find("shown\n"), std::string::npos);
+  EXPECT_TRUE(holds(run.err(), "shown\n"));
   expect_replays("run.log", digest_in(run.err()));
 }
 
@@ -440,11 +436,11 @@ TEST_F(CommandRun, ACommandThatHangsOrFailsCostsTheLoopNothing) {
   ASSERT_TRUE(eventually([&] { return slurp(folder.path() / "levels").find("clear") != std::string::npos; }));
   const std::size_t frames = count(log(), "$FPFRM,");
   ASSERT_TRUE(logs("$FPFRM,", frames + 20));
-  EXPECT_EQ(run.err().find("was killed"), std::string::npos) << "it went on meanwhile: " << run.err();
+  EXPECT_FALSE(holds(run.err(), "was killed")) << "it went on meanwhile: " << run.err();
   ASSERT_TRUE(run.says("the command for level clear still ran after 2.0 s and was killed")) << run.err();
   run.signal(SIGTERM);
   EXPECT_EQ(run.wait(), 0) << run.err();
-  EXPECT_EQ(run.err().find("silent"), std::string::npos) << run.err();
+  EXPECT_FALSE(holds(run.err(), "silent"));
   expect_replays("run.log", digest_in(run.err()));
 }
 
@@ -595,9 +591,8 @@ TEST_F(CommandRun, NeedsNoStandardStreams) {
 
 TEST_F(CommandRun, StopsAfterSomeSeconds) {
   FakeCreate wheels(file("wheels"));
-  const Outcome run = shell(folder, "fencepost run --camera console --odometry create2:./wheels --seconds 0.5");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.err.find(" s: 0 frames, "), std::string::npos) << run.err;
+  EXPECT_TRUE(ends(shell(folder, "fencepost run --camera console --odometry create2:./wheels --seconds 0.5"), 0,
+                   " s: 0 frames, "));
 }
 
 TEST_F(CommandRun, SaysWhatIsWrongWithItsArguments) {
@@ -619,14 +614,13 @@ TEST_F(CommandRun, SaysWhatIsWrongWithItsArguments) {
   for (const auto& [arguments, message] : kWrong) {
     const Outcome run = shell(folder, "fencepost run " + arguments);
     EXPECT_EQ(run.exit_code, 2) << arguments;
-    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, message));
     EXPECT_TRUE(run.out.empty());
   }
-  const Outcome robot = shell(folder,
-                              "echo '{\"camra\": {}}' > r.json; fencepost run --camera console --odometry console "
-                              "--robot r.json");
-  EXPECT_EQ(robot.exit_code, 3);
-  EXPECT_NE(robot.err.find("r.json: /camra: unknown key"), std::string::npos) << robot.err;
+  EXPECT_TRUE(ends(shell(folder,
+                         "echo '{\"camra\": {}}' > r.json; fencepost run --camera console --odometry console "
+                         "--robot r.json"),
+                   3, "r.json: /camra: unknown key"));
 }
 
 }  // namespace

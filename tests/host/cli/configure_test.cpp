@@ -23,17 +23,16 @@ std::string image() {
 }
 
 TEST(ConfigureCommand, WritesAFileThatSaysWhatWasTold) {
-  const Folder folder;
-  spill(folder.path() / "image.bin", image());
-  const Outcome run = shell(folder, "fencepost configure image.bin --camera pixy2.1 --set alert.stop=0.3 -o mine.hex");
+  spill("image.bin", image());
+  const Outcome run = shell("fencepost configure image.bin --camera pixy2.1 --set alert.stop=0.3 -o mine.hex");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find("testboard, version 0.1.0: 2 lines in "), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("  $FPCFG,camera,pixy2.1*"), std::string::npos) << run.err;
-  EXPECT_TRUE(slurp(folder.path() / "mine.hex").starts_with(":020000040800F2\r\n"));
-  const Outcome again = shell(folder, "fencepost configure mine.hex -o mine.bin");
+  EXPECT_TRUE(holds(run.err, "testboard, version 0.1.0: 2 lines in "));
+  EXPECT_TRUE(holds(run.err, "  $FPCFG,camera,pixy2.1*"));
+  EXPECT_TRUE(slurp("mine.hex").starts_with(":020000040800F2\r\n"));
+  const Outcome again = shell("fencepost configure mine.hex -o mine.bin");
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(slurp(folder.path() / "mine.bin").size(), 0x4000U + 2 * 1024);
+  EXPECT_EQ(slurp("mine.bin").size(), 0x4000U + 2 * 1024);
 }
 
 struct Refused {
@@ -44,15 +43,14 @@ struct Refused {
 class ConfigureRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(ConfigureRefuses, AndWritesNothing) {
-  const Folder folder;
-  spill(folder.path() / "image.bin", image());
-  spill(folder.path() / "other.bin", "hello");
-  spill(folder.path() / "cut.hex", ":0300300002337A1E\n");
-  const Outcome run = shell(folder, std::string("fencepost configure ") + GetParam().line);
+  spill("image.bin", image());
+  spill("other.bin", "hello");
+  spill("cut.hex", ":0300300002337A1E\n");
+  const Outcome run = shell(std::string("fencepost configure ") + GetParam().line);
   EXPECT_EQ(run.exit_code, GetParam().exit_code) << run.err;
-  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, GetParam().says));
   for (const char* name : {"mine.hex", "mine.uf2", "mine.sav", "mine.txt"})
-    EXPECT_EQ(slurp(folder.path() / name), "") << name;
+    EXPECT_EQ(slurp(folder() / name), "") << name;
 }
 INSTANTIATE_TEST_SUITE_P(
     All, ConfigureRefuses,

@@ -67,72 +67,61 @@ using host::testing::shell;
 
 // Each of these once ended a command by SIGABRT.
 TEST(NoCommandAborts, WhateverANumberSays) {
-  const Folder folder;
-  shell(folder, "sed 's/\"seed\": *[0-9]*/\"seed\": 1e999/' " + recording("approach_stop.json") +
-                    " > s.json; echo '{\"camera\": {\"fx\": -1e999}}' > r.json; : > m.json");
+  shell("sed 's/\"seed\": *[0-9]*/\"seed\": 1e999/' " + recording("approach_stop.json") +
+        " > s.json; echo '{\"camera\": {\"fx\": -1e999}}' > r.json; : > m.json");
   for (const char* line :
        {"simulate s.json", "report s.json --scene s.json", "emulate pixy2 s.json", "evaluate run.log --scene s.json",
         "run --camera console --odometry console --robot s.json", "replay run.log --camera s.json"}) {
-    const Outcome run =
-        shell(folder, std::string("cp ") + recording("approach_stop.log") + " run.log; fencepost " + line);
+    const Outcome run = shell(std::string("cp ") + recording("approach_stop.log") + " run.log; fencepost " + line);
     EXPECT_EQ(run.exit_code, 3) << line << ": " << run.err;
     EXPECT_TRUE(std::regex_search(run.err, std::regex("s.json: line [0-9]+, column [0-9]+: this number"))) << run.err;
   }
-  const Outcome robot = shell(folder, "fencepost run --camera console --odometry console --robot r.json");
-  EXPECT_EQ(robot.exit_code, 3);
-  EXPECT_NE(robot.err.find("r.json: line 1, column 19"), std::string::npos) << robot.err;
+  EXPECT_TRUE(
+      ends(shell("fencepost run --camera console --odometry console --robot r.json"), 3, "r.json: line 1, column 19"));
 }
 
 TEST(NoCommandAborts, WhateverANameIs) {
-  const Folder folder;
   const std::string name(5000, 'n');
   for (const std::string& line :
        {"evaluate " + name, "evaluate " + name + ".log", "replay " + name, "replay - --camera " + name,
         "report x.log --scene " + name, "simulate " + name, "emulate pixy2 " + name, "import rings " + name,
         "import mrclam " + name + " --robot 1", "segment " + name + " --camera " + name}) {
-    const Outcome run = shell(folder, "fencepost " + line);
+    const Outcome run = shell("fencepost " + line);
     EXPECT_EQ(run.exit_code, 3) << line.substr(0, 30) << run.err;
-    EXPECT_NE(run.err.find("nnn"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "nnn"));
   }
   for (const std::string& line :
        {"record - -o " + name, "run --camera console --odometry console --log " + name, "paper -o " + name}) {
-    const Outcome run = shell(folder, "fencepost " + line);
+    const Outcome run = shell("fencepost " + line);
     EXPECT_EQ(run.exit_code, 4) << line.substr(0, 30) << run.err;
-    EXPECT_NE(run.err.find("File name too long"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "File name too long"));
   }
 }
 
 // The name fits, the names of later parts do not.
 TEST(NoCommandAborts, WhenAPartOfALogCannotBeNamed) {
-  const Folder folder;
   const std::string name = std::string(251, 'n') + ".log";
-  const Outcome run =
-      shell(folder, "fencepost run --camera console --odometry console --mode quiet --log-size 4K --log " + name +
-                        " < " + recording("approach_stop.log"));
+  const Outcome run = shell("fencepost run --camera console --odometry console --mode quiet --log-size 4K --log " +
+                            name + " < " + recording("approach_stop.log"));
   EXPECT_EQ(run.exit_code, 4);
-  EXPECT_NE(run.err.find("File name too long"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("broken off after"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("109 frames"), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, "File name too long"));
+  EXPECT_TRUE(holds(run.err, "broken off after"));
+  EXPECT_TRUE(holds(run.err, "109 frames"));
 }
 
 TEST(NoCommandAborts, WhereAFolderMayNotBeEntered) {
-  const Folder folder;
-  if (!anybody_can_run(folder)) GTEST_SKIP() << "only root may run the program where it was built";
-  const Outcome evaluate = shell(folder, as_anybody(folder) + "mkdir d; chmod 0 d; fencepost evaluate d/n.log");
-  EXPECT_EQ(evaluate.exit_code, 3);
-  EXPECT_NE(evaluate.err.find("d/n.json: Permission denied"), std::string::npos) << evaluate.err;
-  const Outcome record = shell(folder, as_anybody(folder) + "chmod 755 d; cd d; chmod 0 .; fencepost record -");
-  EXPECT_EQ(record.exit_code, 4);
-  EXPECT_NE(record.err.find("Permission denied"), std::string::npos) << record.err;
+  if (!anybody_can_run()) GTEST_SKIP() << "only root may run the program where it was built";
+  EXPECT_TRUE(
+      ends(shell(as_anybody() + "mkdir d; chmod 0 d; fencepost evaluate d/n.log"), 3, "d/n.json: Permission denied"));
+  EXPECT_TRUE(ends(shell(as_anybody() + "chmod 755 d; cd d; chmod 0 .; fencepost record -"), 4, "Permission denied"));
 }
 
 // Messages quote what files and robots say.
 TEST(Messages, ShowNoControlCharacters) {
-  const Folder folder;
   const std::string escape = "\\033[31m\\302\\233x\\233y";
-  const Outcome scene = shell(folder, "printf '{\"format\": 1, \"a" + escape + "\": 1}' > s.json; " +
-                                          "printf '$FPHDR,1,a,b,c,\\033]0;full*0000\\r\\n' > x.log; " +
-                                          "fencepost simulate s.json; fencepost replay x.log");
+  const Outcome scene = shell("printf '{\"format\": 1, \"a" + escape + "\": 1}' > s.json; " +
+                              "printf '$FPHDR,1,a,b,c,\\033]0;full*0000\\r\\n' > x.log; " +
+                              "fencepost simulate s.json; fencepost replay x.log");
   EXPECT_NE(scene.err, "");
   EXPECT_EQ(scene.err.find_first_of("\x1b\x9b"), std::string::npos) << scene.err;
 }

@@ -6,14 +6,9 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::recording;
-using testing::shell;
-using testing::spill;
+using namespace testing;
 
 TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
-  const Folder folder;
   std::string monitor;
   std::string poses = "t,x,y,heading\n";
   for (int i = 0; i < 20; ++i) {  // past a pillar of 6 cm, 1.2 m ahead and 0.3 m to the left
@@ -28,76 +23,67 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
     std::snprintf(line, sizeof line, "%.2f,%.3f,0,0\n", 43'200 + 0.1 * i, 0.03 * i);
     poses += line;
   }
-  spill(folder.path() / "monitor.txt", monitor);
-  spill(folder.path() / "poses.csv", poses);
-  const Outcome run = shell(folder, "fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
+  spill("monitor.txt", monitor);
+  spill("poses.csv", poses);
+  const Outcome run = shell("fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "20 frames with 20 blobs, 20 odometry samples\nleft out: 20 lines of no known form\n");
-  const Outcome map = shell(folder, "fencepost replay run.log");
+  const Outcome map = shell("fencepost replay run.log");
   EXPECT_EQ(map.exit_code, 0) << map.err;
-  EXPECT_NE(map.out.find("signature1 confirmed"), std::string::npos) << map.out;
+  EXPECT_TRUE(holds(map.out, "signature1 confirmed"));
 }
 
 TEST(ImportCommand, SaysWhatIsMissing) {
-  const Folder folder;
-  spill(folder.path() / "b.csv", "t,x,y,w,h\n1,2,3,4,5\n");
-  const Outcome blind = shell(folder, "fencepost import csv b.csv");
+  spill("b.csv", "t,x,y,w,h\n1,2,3,4,5\n");
+  const Outcome blind = shell("fencepost import csv b.csv");
   EXPECT_EQ(blind.exit_code, 3);
   EXPECT_EQ(blind.out, "");
   EXPECT_EQ(
       blind.err,
       "fencepost: b.csv: does not say how its camera sees; give --camera: a name such as pixy2, or a file with its "
       "calibration\n");
-  spill(folder.path() / "robot.json", "{}");
-  const Outcome can = shell(folder, "fencepost import candump b.csv --robot robot.json --blobs b.csv --camera pixy2");
-  EXPECT_EQ(can.exit_code, 3);
-  EXPECT_NE(can.err.find("has no \"can\""), std::string::npos) << can.err;
-  EXPECT_EQ(shell(folder, "fencepost import mcap b.csv --camera pixy2").exit_code, 3);
-  EXPECT_EQ(shell(folder, "fencepost import player b.csv --camera pixy2").exit_code, 3);
+  spill("robot.json", "{}");
+  EXPECT_TRUE(ends(shell("fencepost import candump b.csv --robot robot.json --blobs b.csv --camera pixy2"), 3,
+                   "has no \"can\""));
+  EXPECT_EQ(shell("fencepost import mcap b.csv --camera pixy2").exit_code, 3);
+  EXPECT_EQ(shell("fencepost import player b.csv --camera pixy2").exit_code, 3);
 }
 
 TEST(PackedInput, IsReadEverywhereAndRefusedWhereItIsDamaged) {
-  const Folder folder;
-  ASSERT_EQ(shell(folder, "gzip -c " + recording("stop_pixy2.log") + " > run.log.gz").exit_code, 0);
-  const Outcome whole = shell(folder, "fencepost replay " + recording("stop_pixy2.log"));
-  const Outcome packed = shell(folder, "fencepost replay run.log.gz");
+  ASSERT_EQ(shell("gzip -c " + recording("stop_pixy2.log") + " > run.log.gz").exit_code, 0);
+  const Outcome whole = shell("fencepost replay " + recording("stop_pixy2.log"));
+  const Outcome packed = shell("fencepost replay run.log.gz");
   EXPECT_EQ(packed.exit_code, 0) << packed.err;
   EXPECT_EQ(packed.out, whole.out);
-  EXPECT_EQ(shell(folder, "fencepost replay - < run.log.gz").out, whole.out);
+  EXPECT_EQ(shell("fencepost replay - < run.log.gz").out, whole.out);
   // Two members behind each other, as `cat a.gz b.gz` makes them.
-  ASSERT_EQ(shell(folder, "head -c 5000 " + recording("stop_pixy2.log") + " | gzip > two.gz; tail -c +5001 " +
-                              recording("stop_pixy2.log") + " | gzip >> two.gz")
+  ASSERT_EQ(shell("head -c 5000 " + recording("stop_pixy2.log") + " | gzip > two.gz; tail -c +5001 " +
+                  recording("stop_pixy2.log") + " | gzip >> two.gz")
                 .exit_code,
             0);
-  EXPECT_EQ(shell(folder, "fencepost replay two.gz").out, whole.out);
-  ASSERT_EQ(shell(folder, "head -c 3000 run.log.gz > cut.gz").exit_code, 0);
-  const Outcome cut = shell(folder, "fencepost replay cut.gz");
-  EXPECT_EQ(cut.exit_code, 3);
-  EXPECT_NE(cut.err.find("damaged or cut off; try 'gzip -t'"), std::string::npos) << cut.err;
+  EXPECT_EQ(shell("fencepost replay two.gz").out, whole.out);
+  ASSERT_EQ(shell("head -c 3000 run.log.gz > cut.gz").exit_code, 0);
+  EXPECT_TRUE(ends(shell("fencepost replay cut.gz"), 3, "damaged or cut off; try 'gzip -t'"));
 }
 
 // A few KB that become 70 MB, and a file whose size says enough: none of them is read to its end.
 TEST(PackedInput, HasALimit) {
-  const Folder folder;
-  ASSERT_EQ(shell(folder, "head -c 70000000 /dev/zero | gzip -1 > zeros.gz; truncate -s 3G huge").exit_code, 0);
+  ASSERT_EQ(shell("head -c 70000000 /dev/zero | gzip -1 > zeros.gz; truncate -s 3G huge").exit_code, 0);
   for (const char* line :
        {"import csv zeros.gz --camera pixy2", "simulate zeros.gz", "import csv huge --camera pixy2",
         "configure huge -o x.bin", "replay " FENCEPOST_RECORDINGS "/stop_pixy2.log --camera zeros.gz",
         "import mcap huge --camera pixy2"}) {
-    const Outcome run = shell(folder, "ulimit -v 1000000; fencepost " + std::string(line));
+    const Outcome run = shell("ulimit -v 1000000; fencepost " + std::string(line));
     EXPECT_EQ(run.exit_code, 3) << line;
-    EXPECT_NE(run.err.find(" has more than "), std::string::npos) << line << ": " << run.err;
+    EXPECT_TRUE(holds(run.err, " has more than ")) << line << ": " << run.err;
   }
 }
 
 // At once, not when most of it has been replayed.
 TEST(Export, ALogThatIsTooLongForAHistoryIsRefusedBeforeItIsReplayed) {
-  const Folder folder;
-  ASSERT_EQ(shell(folder, "yes '$FPODO,1,2,3,4*0000' | head -c 65000000 > long.log").exit_code, 0);
+  ASSERT_EQ(shell("yes '$FPODO,1,2,3,4*0000' | head -c 65000000 > long.log").exit_code, 0);
   for (const char* name : {"x.csv", "x.mcap"}) {
-    const Outcome run = shell(folder, "fencepost export long.log -o " + std::string(name));
-    EXPECT_EQ(run.exit_code, 3);
-    EXPECT_NE(run.err.find("has more than 64 MB"), std::string::npos) << run.err;
+    EXPECT_TRUE(ends(shell("fencepost export long.log -o " + std::string(name)), 3, "has more than 64 MB"));
   }
 }
 

@@ -11,10 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::Folder;
-using testing::Outcome;
-using testing::recording;
-using testing::shell;
+using namespace testing;
 
 const fs::path kLab = fs::path(FENCEPOST_EXE).parent_path() / "fencepost-lab";
 
@@ -40,10 +37,10 @@ TEST_F(Alone, SaysWhatIsMissingAndHowToGetIt) {
     const Outcome run = this->run("bin/fencepost " + line);
     EXPECT_EQ(run.exit_code, 3) << line << "\n" << run.err;
     EXPECT_EQ(run.out, "") << line;
-    EXPECT_NE(run.err.find("needs fencepost-lab"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "needs fencepost-lab"));
     EXPECT_NE(run.err.find("nor in " + (folder_.path() / "libexec/fencepost").string() + ";"), std::string::npos)
         << run.err;
-    EXPECT_NE(run.err.find("toolchain/setup host lab && cmake --preset demo"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "toolchain/setup host lab && cmake --preset demo"));
     EXPECT_TRUE(run.err.ends_with("cmake --install build/demo --prefix '" + folder_.path().string() + "'\n"))
         << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
@@ -97,8 +94,8 @@ TEST_F(Alone, FindsTheOtherBesideItselfAndInLibexec) {
     if (place != libexec) fs::rename(libexec / "fencepost-lab", place / "fencepost-lab");
     const Outcome run = this->run(line);
     EXPECT_EQ(run.exit_code, 3);
-    EXPECT_NE(run.err.find("no such file"), std::string::npos) << run.err;
-    EXPECT_EQ(run.err.find("fencepost-lab"), std::string::npos) << run.err;
+    EXPECT_TRUE(holds(run.err, "no such file"));
+    EXPECT_FALSE(holds(run.err, "fencepost-lab"));
   }
 }
 

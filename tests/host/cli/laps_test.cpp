@@ -10,11 +10,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::shell;
-using testing::slurp;
-using testing::spill;
+using namespace testing;
 
 constexpr const char* kSides = "--sides red=right,green=left";
 

@@ -11,10 +11,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-using testing::Folder;
-using testing::shell;
-using testing::slurp;
-using testing::spill;
+using namespace testing;
 
 std::string read_all(LogInput& input) {
   std::string text;
@@ -30,45 +27,40 @@ std::string numbers() {
 }
 
 TEST(LogInput, GivesAFileInPortions) {
-  const Folder folder;
   const std::string text = numbers();
-  spill(folder.path() / "log", text);
-  LogInput input((folder.path() / "log").string());
+  spill("log", text);
+  LogInput input((folder() / "log").string());
   EXPECT_EQ(input.size(), text.size());
   EXPECT_LE(input.next().size(), 1U << 16U);
   EXPECT_GT(input.position(), 0U);
-  LogInput again((folder.path() / "log").string());
+  LogInput again((folder() / "log").string());
   EXPECT_EQ(read_all(again), text);
   EXPECT_EQ(again.position(), text.size());
   EXPECT_TRUE(again.next().empty());
 }
 
 TEST(LogInput, UnpacksWhatGzipPackedInMembers) {
-  const Folder folder;
   const std::string text = numbers();
-  spill(folder.path() / "log", text);
-  ASSERT_EQ(
-      shell(folder, "gzip -c log >a.gz; gzip -c log >>a.gz; head -c 100000 a.gz >cut.gz; printf x >>a.gz").exit_code,
-      0);
-  const std::string packed = slurp(folder.path() / "a.gz");
-  spill(folder.path() / "whole.gz", packed.substr(0, packed.size() - 1));
-  LogInput whole((folder.path() / "whole.gz").string());
+  spill("log", text);
+  ASSERT_EQ(shell("gzip -c log >a.gz; gzip -c log >>a.gz; head -c 100000 a.gz >cut.gz; printf x >>a.gz").exit_code, 0);
+  const std::string packed = slurp("a.gz");
+  spill("whole.gz", packed.substr(0, packed.size() - 1));
+  LogInput whole((folder() / "whole.gz").string());
   EXPECT_EQ(read_all(whole), text + text);
   EXPECT_EQ(gunzip(packed.substr(0, packed.size() - 1)), text + text);
   for (const char* damaged : {"a.gz", "cut.gz"}) {
-    LogInput input((folder.path() / damaged).string());
+    LogInput input((folder() / damaged).string());
     EXPECT_THROW(read_all(input), Failure) << damaged;
-    EXPECT_FALSE(gunzip(slurp(folder.path() / damaged))) << damaged;
+    EXPECT_FALSE(gunzip(slurp(folder() / damaged))) << damaged;
   }
   EXPECT_FALSE(gunzip(""));
 }
 
 TEST(LogInput, AByteAtATimeIsTheSame) {
   Gunzip unpacker;
-  const Folder folder;
-  ASSERT_EQ(shell(folder, "printf 'one line\\n' | gzip >log.gz").exit_code, 0);
+  ASSERT_EQ(shell("printf 'one line\\n' | gzip >log.gz").exit_code, 0);
   std::string text;
-  for (const char byte : slurp(folder.path() / "log.gz")) {
+  for (const char byte : slurp("log.gz")) {
     const std::string one(1, byte);
     unpacker.feed(one);
     for (std::string_view part = unpacker.next(); !part.empty(); part = unpacker.next()) text += part;
@@ -78,13 +70,12 @@ TEST(LogInput, AByteAtATimeIsTheSame) {
 }
 
 TEST(LogInput, FromAPipeThatGivesOneByteFirst) {
-  const Folder folder;
   const std::string log = "'" FENCEPOST_SOURCE_DIR "/host/share/recordings/selftest.log'";
-  const std::string plain = shell(folder, "fencepost replay " + log).out;
+  const std::string plain = shell("fencepost replay " + log).out;
   EXPECT_FALSE(plain.empty());
   const std::string dribble = "{ head -c 1 p; sleep 0.1; tail -c +2 p; } | fencepost replay -";
-  EXPECT_EQ(shell(folder, "gzip -c " + log + " >p; " + dribble).out, plain);
-  EXPECT_EQ(shell(folder, "cp " + log + " p; " + dribble).out, plain);
+  EXPECT_EQ(shell("gzip -c " + log + " >p; " + dribble).out, plain);
+  EXPECT_EQ(shell("cp " + log + " p; " + dribble).out, plain);
 }
 
 }  // namespace

@@ -9,10 +9,7 @@
 namespace fencepost::host::cli {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::shell;
-using testing::spill;
+using namespace testing;
 
 struct Place {
   double x = 0;
@@ -119,8 +116,8 @@ TEST_F(Merge, JoinsTheOthersWhereOneLogCannotBeRead) {
   const Outcome run =
       shell(folder, "echo foreign > foreign.log; fencepost merge a.log no.log foreign.log b.log --json");
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_NE(run.err.find("left out: cannot read no.log"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("left out: foreign.log: no record"), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, "left out: cannot read no.log"));
+  EXPECT_TRUE(holds(run.err, "left out: foreign.log: no record"));
   const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["runs"].size(), 2U);
   EXPECT_EQ(json["objects"].size(), 6U);
@@ -130,8 +127,8 @@ TEST_F(Merge, JoinsTheOthersWhereOneLogCannotBeRead) {
 TEST_F(Merge, SaysWhatStaysOut) {
   const Outcome run = shell(folder, "head -n 20 b.log > c.log; fencepost merge a.log c.log");
   EXPECT_EQ(run.exit_code, 1) << run.out;
-  EXPECT_NE(run.err.find("c.log is not in the map: "), std::string::npos) << run.err;
-  EXPECT_NE(run.out.find("c.log: left out: "), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.err, "c.log is not in the map: "));
+  EXPECT_TRUE(holds(run.out, "c.log: left out: "));
   EXPECT_EQ(shell(folder, "fencepost merge - a.log -").exit_code, 2);
 }
 

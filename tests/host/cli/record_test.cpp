@@ -15,13 +15,7 @@ namespace fencepost::host {
 namespace {
 
 using linux::FarEnd;
-using testing::eventually;
-using testing::Folder;
-using testing::Outcome;
-using testing::Process;
-using testing::shell;
-using testing::slurp;
-using testing::spill;
+using namespace testing;
 
 const std::string kOdometry = "$FPODO,7.6200,1.3820,-0.0145,0.0666*DAD3\r\n";  // from approach_stop.log
 const std::string kNext = "$FPODO,7.6400,1.3860,-0.0143,0.0666*9409\r\n";      // likewise
@@ -63,10 +57,8 @@ TEST_F(Record, KeepsEveryByteAndShowsWholeLines) {
   EXPECT_EQ(run.end(SIGINT), 130);
   EXPECT_EQ(run.out(), bytes + "no end");
   EXPECT_EQ(log(), bytes + "no end");
-  EXPECT_NE(run.err().find("6 lines, "), std::string::npos) << run.err();
-  EXPECT_NE(run.err().find("1 record: 0 frames, 1 of odometry; 4 foreign lines\nrejected lines: crc 1\n"),
-            std::string::npos)
-      << run.err();
+  EXPECT_TRUE(holds(run.err(), "6 lines, "));
+  EXPECT_TRUE(holds(run.err(), "1 record: 0 frames, 1 of odometry; 4 foreign lines\nrejected lines: crc 1\n"));
   EXPECT_TRUE(run.err().ends_with("saved in run.log\n")) << run.err();
 }
 
@@ -122,7 +114,7 @@ TEST_F(Record, GoesOnAfterAReplug) {
   ASSERT_TRUE(run.shows("cut\n" + kNext));
   EXPECT_EQ(run.end(SIGINT), 130);
   EXPECT_EQ(log(), kOdometry + "$FPODO,cut\n" + kNext);
-  EXPECT_NE(run.err().find("2 records"), std::string::npos) << run.err();
+  EXPECT_TRUE(holds(run.err(), "2 records"));
   EXPECT_EQ(files(), std::vector<std::string>{"run.log"});
 }
 
@@ -138,19 +130,15 @@ TEST_F(Record, WaitsForAPortWhenTold) {
 
 TEST_F(Record, APortThatIsNotThereIsSaidAndLeavesNoFile) {
   far.unplug();
-  const Outcome run = shell(folder, "fencepost record " + port);
-  EXPECT_EQ(run.exit_code, 4);
-  EXPECT_NE(run.err.find("cannot open the serial port " + port + ": No such file or directory; plug it in"),
-            std::string::npos)
-      << run.err;
+  EXPECT_TRUE(ends(shell(folder, "fencepost record " + port), 4,
+                   "cannot open the serial port " + port + ": No such file or directory; plug it in"));
   EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Record, NeverOverwrites) {
   spill(folder.path() / "run.log", "old");
-  const Outcome run = shell(folder, "fencepost record " + port + " -o run.log");
-  EXPECT_EQ(run.exit_code, 4);
-  EXPECT_NE(run.err.find("cannot create the log run.log: File exists; choose another name"), std::string::npos);
+  EXPECT_TRUE(ends(shell(folder, "fencepost record " + port + " -o run.log"), 4,
+                   "cannot create the log run.log: File exists; choose another name"));
   EXPECT_EQ(log(), "old");
 }
 
@@ -170,9 +158,7 @@ TEST_F(Record, AFullDiskEndsItAndNothingIsShownThatIsNotKept) {
   far.say(kOdometry);
   EXPECT_EQ(run.wait(), 4);
   EXPECT_EQ(run.out(), "");
-  EXPECT_NE(run.err().find("cannot write the log /dev/full: No space left on device; free some space"),
-            std::string::npos)
-      << run.err();
+  EXPECT_TRUE(holds(run.err(), "cannot write the log /dev/full: No space left on device; free some space"));
 }
 
 TEST_F(Record, GoesOnInNewFilesThatAreOneRecording) {
@@ -189,7 +175,7 @@ TEST_F(Record, GoesOnInNewFilesThatAreOneRecording) {
   EXPECT_EQ(files(), (std::vector<std::string>{"run-0002.log", "run.log"}));
   EXPECT_EQ(log().size(), 6'002U) << "a part ends with a line";
   EXPECT_EQ(log() + slurp(folder.path() / "run-0002.log"), all);
-  EXPECT_NE(run.err().find("saved in run.log to run-0002.log\n"), std::string::npos) << run.err();
+  EXPECT_TRUE(holds(run.err(), "saved in run.log to run-0002.log\n"));
 }
 
 TEST_F(Record, AReaderThatStopsReadingIsNoError) {
@@ -243,8 +229,8 @@ TEST_F(Record, DevicesOfThisMachineAreRecordedWithoutAConsole) {
   EXPECT_NE(log().find(",create2,absent,./nor*"), std::string::npos) << log();
   const Outcome full = shell(folder, line + "/dev/full");
   EXPECT_EQ(full.exit_code, 4);
-  EXPECT_NE(full.err.find("/dev/full: No space left on device"), std::string::npos) << full.err;
-  EXPECT_EQ(full.err.find("goes on without a log"), std::string::npos) << full.err;
+  EXPECT_TRUE(holds(full.err, "/dev/full: No space left on device"));
+  EXPECT_FALSE(holds(full.err, "goes on without a log"));
 }
 
 TEST_F(Record, UsageErrorsAreSaid) {
@@ -321,7 +307,7 @@ TEST_F(Record, ARobotsWordsDoNotReachTheTerminalAsControlSequences) {
   ASSERT_TRUE(run.shows("2J*"));
   EXPECT_EQ(run.end(SIGINT), 130);
   EXPECT_EQ(log(), line) << "the file has what came";
-  EXPECT_NE(run.err().find("links at the end: ?]0;mine??forged silent (??2J)\n"), std::string::npos) << run.err();
+  EXPECT_TRUE(holds(run.err(), "links at the end: ?]0;mine??forged silent (??2J)\n"));
   EXPECT_EQ(run.err().find_first_of("\x1b\x07\x9b"), std::string::npos) << run.err();
 }
 

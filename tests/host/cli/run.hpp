@@ -1,6 +1,7 @@
 // Runs the built program as its users do: as a process.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 namespace fencepost::host::testing {
@@ -18,16 +20,7 @@ struct Outcome {
   std::string err;
 };
 
-inline std::string slurp(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-inline void spill(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-/// A folder of its own for each test, removed with it.
+/// A new folder, removed with this.
 class Folder {
  public:
   Folder() {
@@ -46,6 +39,36 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// The folder of the running test, which is removed before the next one's.
+inline const Folder& test_folder() {
+  static std::optional<Folder> folder;
+  static const ::testing::TestInfo* owner = nullptr;
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  if (!folder || test != owner) folder.emplace();
+  owner = test;
+  return *folder;
+}
+inline const std::filesystem::path& folder() { return test_folder().path(); }
+
+/// A file by its path, or by its name in the test's folder.
+inline std::string slurp(const std::filesystem::path& path) {
+  std::ifstream file(folder() / path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+inline void spill(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(folder() / path, std::ios::binary) << text;
+}
+
+/// Whether `part` is in `text`, which a failure shows.
+inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
+  return ::testing::AssertionResult(text.find(part) != std::string::npos) << text;
+}
+
+/// Whether it ended with this code, and said this on standard error, which a failure shows.
+inline ::testing::AssertionResult ends(const Outcome& run, int exit_code, const std::string& says) {
+  return ::testing::AssertionResult(run.exit_code == exit_code && holds(run.err, says)) << run.exit_code << run.err;
+}
+
 /// A shell line in `folder`; `fencepost` in it is the built program.
 inline Outcome shell(const Folder& folder, const std::string& line) {
   const Folder capture;
@@ -56,18 +79,17 @@ inline Outcome shell(const Folder& folder, const std::string& line) {
   const int status = std::system(script.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
 }
+inline Outcome shell(const std::string& line) { return shell(test_folder(), line); }
 
 /// The beginning of a shell line whose `fencepost` may not do everything: for root, who may, it is run as another user.
-inline std::string as_anybody(const Folder& folder) {
+inline std::string as_anybody() {
   if (::geteuid() != 0) return {};
-  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  std::filesystem::permissions(folder(), std::filesystem::perms::all);
   return "fencepost() { setpriv --reuid=65534 --regid=65534 --clear-groups -- '" FENCEPOST_EXE "' \"$@\"; }; ";
 }
 
 /// Whether such a line can run: a tree that only root may enter holds a program that nobody else can start.
-inline bool anybody_can_run(const Folder& folder) {
-  return shell(folder, as_anybody(folder) + "fencepost --version").exit_code == 0;
-}
+inline bool anybody_can_run() { return shell(as_anybody() + "fencepost --version").exit_code == 0; }
 
 /// A bundled recording or scene, quoted for the shell.
 inline std::string recording(const std::string& file) {

@@ -8,10 +8,7 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::shell;
-using testing::spill;
+using namespace testing;
 
 /// Grey of 64 by 48 px. Columns 16 to 31 of rows 12 to 35 are orange: Y 126, U 72, V 185 in limited range.
 std::string film(int pictures) {
@@ -37,7 +34,7 @@ class Train : public ::testing::Test {
   void refuses(const std::string& arguments, int exit_code, const std::string& message) const {
     const Outcome outcome = train(arguments);
     EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, message));
   }
   Folder folder_;
 };
@@ -54,7 +51,7 @@ TEST_F(Train, WritesTheColoursOfBoxes) {
   // The colour's shares by these Y, U and V: 219, 103 and 15 of 337.
   EXPECT_LT(file["colours"][0]["red"][0], 0.64);
   EXPECT_GT(file["colours"][0]["red"][1], 0.65);
-  EXPECT_NE(outcome.err.find("orange: 100 % of its boxes, 0 px elsewhere"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "orange: 100 % of its boxes, 0 px elsewhere"));
 }
 
 TEST_F(Train, RunFindsWhatItLearned) {
@@ -63,17 +60,17 @@ TEST_F(Train, RunFindsWhatItLearned) {
                                 "fencepost run --camera video:film.y4m --odometry console --colours colours.json "
                                 "--mode log --seconds 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("$FPSIG,1,"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find(",video,ok"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("$FPFRM,"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find(",1,16,12,31,35,"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(holds(outcome.out, "$FPSIG,1,"));
+  EXPECT_TRUE(holds(outcome.out, ",video,ok"));
+  EXPECT_TRUE(holds(outcome.out, "$FPFRM,"));
+  EXPECT_TRUE(holds(outcome.out, ",1,16,12,31,35,"));
 }
 
 TEST_F(Train, KeepsThePicture) {
   ASSERT_EQ(train("film.y4m --save view.jpg").exit_code, 0);
   const Outcome again = train("view.jpg --box 18,14,10,8=orange");
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_NE(again.err.find("0 px elsewhere"), std::string::npos) << again.err;
+  EXPECT_TRUE(holds(again.err, "0 px elsewhere"));
 }
 
 TEST_F(Train, ReadsBoxesFromAFile) {
@@ -97,13 +94,10 @@ TEST_F(Train, SaysWhatIsWrong) {
 
 TEST_F(Train, ColoursThatAreNoneAreRefused) {
   spill(folder_.path() / "robot.json", "{}");
-  const Outcome none = shell(folder_, "fencepost run --camera video:film.y4m --odometry console --colours robot.json");
-  EXPECT_EQ(none.exit_code, 3) << none.err;
-  EXPECT_NE(none.err.find("robot.json: has no \"colours\"; 'fencepost train' writes such a file"), std::string::npos)
-      << none.err;
-  const Outcome missing = shell(folder_, "fencepost run --camera video:film.y4m --odometry console");
-  EXPECT_EQ(missing.exit_code, 2) << missing.err;
-  EXPECT_NE(missing.err.find("no colour is trained"), std::string::npos) << missing.err;
+  EXPECT_TRUE(ends(shell(folder_, "fencepost run --camera video:film.y4m --odometry console --colours robot.json"), 3,
+                   "robot.json: has no \"colours\"; 'fencepost train' writes such a file"));
+  EXPECT_TRUE(
+      ends(shell(folder_, "fencepost run --camera video:film.y4m --odometry console"), 2, "no colour is trained"));
 }
 
 }  // namespace

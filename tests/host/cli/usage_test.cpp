@@ -8,11 +8,7 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::recording;
-using testing::shell;
-using testing::spill;
+using namespace testing;
 
 const std::vector<std::string> kCommands = {"",
                                             "demo",
@@ -49,9 +45,8 @@ const std::vector<std::string> kCommands = {"",
                                             "import mcap"};
 
 TEST(Help, BeginsWithUsageAndEndsWithExamples) {
-  const Folder folder;
   for (const std::string& command : kCommands) {
-    const Outcome run = shell(folder, "fencepost " + command + " --help");
+    const Outcome run = shell("fencepost " + command + " --help");
     EXPECT_EQ(run.exit_code, 0) << command;
     EXPECT_EQ(run.out.rfind("Usage: fencepost " + command, 0), 0U) << command << "\n" << run.out;
     const std::size_t options = run.out.find("\nOptions:\n");
@@ -64,48 +59,44 @@ TEST(Help, BeginsWithUsageAndEndsWithExamples) {
 }
 
 TEST(Help, IsSaidWhereNoCommandIsGiven) {
-  const Folder folder;
-  const Outcome run = shell(folder, "fencepost");
+  const Outcome run = shell("fencepost");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err, shell(folder, "fencepost --help").out);
+  EXPECT_EQ(run.err, shell("fencepost --help").out);
 }
 
 TEST(Devices, AreListedByUse) {
-  const Folder folder;
-  const Outcome all = shell(folder, "fencepost devices");
+  const Outcome all = shell("fencepost devices");
   EXPECT_EQ(all.exit_code, 0) << all.err;
   for (const char* part : {"Cameras of run and record", "\n  cognachrome ", "Odometry of run", "Devices of emulate"}) {
-    EXPECT_NE(all.out.find(part), std::string::npos) << part;
+    EXPECT_TRUE(holds(all.out, part)) << part;
   }
-  const Outcome one = shell(folder, "fencepost devices can");
-  EXPECT_EQ(one.out.find("Cameras"), std::string::npos) << one.out;
-  EXPECT_NE(one.out.find("layout=canopen|talon"), std::string::npos) << one.out;
+  const Outcome one = shell("fencepost devices can");
+  EXPECT_FALSE(holds(one.out, "Cameras"));
+  EXPECT_TRUE(holds(one.out, "layout=canopen|talon"));
 }
 
 TEST(Help, ListsEveryCommand) {
-  const Folder folder;
-  const std::string out = shell(folder, "fencepost --help").out;
+  const std::string out = shell("fencepost --help").out;
   for (const char* name : {"demo", "run", "record", "replay", "report", "simulate", "evaluate", "paper", "emulate",
                            "import", "segment", "configure", "calibrate", "merge", "smooth", "doctor"}) {
-    EXPECT_NE(out.find("\n  " + std::string(name) + " "), std::string::npos) << name;
+    EXPECT_TRUE(holds(out, "\n  " + std::string(name) + " ")) << name;
   }
 }
 
 // To what converts numbers, nan and inf are some. Whatever option has a number, by its help.
 TEST(Help, NoOptionTakesWhatIsNoNumber) {
-  const Folder folder;
   std::size_t tried = 0;
   for (const std::string& command : kCommands) {
-    const std::string help = shell(folder, "fencepost " + command + " --help").out;
+    const std::string help = shell("fencepost " + command + " --help").out;
     static const std::regex option("(--[a-z-]+) (D|DEG|DEGREES|F|HZ|M|N|PX|S|T|X|Y)[ \n]");
     for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at) {
       for (const char* value : {"nan", "-inf"}) {
-        const Outcome run = shell(folder, "fencepost " + command + " " + at->str(1) + "=" + value + " x" +
-                                              (command == "configure" ? " -o y" : ""));
+        const Outcome run = shell("fencepost " + command + " " + at->str(1) + "=" + value + " x" +
+                                  (command == "configure" ? " -o y" : ""));
         EXPECT_EQ(run.exit_code, 2) << command << " " << at->str(1) << ": " << run.err;
-        EXPECT_NE(run.err.find(value), std::string::npos) << run.err;
-        EXPECT_NE(run.err.find(at->str(1)), std::string::npos) << run.err;
+        EXPECT_TRUE(holds(run.err, value));
+        EXPECT_TRUE(holds(run.err, at->str(1)));
         ++tried;
       }
     }
@@ -114,7 +105,7 @@ TEST(Help, NoOptionTakesWhatIsNoNumber) {
 }
 
 TEST(Version, IsDataOnStandardOutput) {
-  const Outcome run = shell(Folder(), "fencepost --version");
+  const Outcome run = shell("fencepost --version");
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.out, "fencepost " FENCEPOST_VERSION "\n");
 }
@@ -127,11 +118,10 @@ struct Wrong {
 class UsageError : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(UsageError, ExitsWithTwoAndSaysWhyOnStandardErrorOnly) {
-  const Folder folder;
-  const Outcome run = shell(folder, GetParam().line);
+  const Outcome run = shell(GetParam().line);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, GetParam().says));
   EXPECT_LT(run.err.size(), 200U) << "one line a person reads";
 }
 
@@ -169,17 +159,16 @@ INSTANTIATE_TEST_SUITE_P(
 class Unreadable : public ::testing::TestWithParam<Wrong> {};
 
 TEST_P(Unreadable, ExitsWithThreeAndWritesNothing) {
-  const Folder folder;
-  spill(folder.path() / "empty", "");
-  spill(folder.path() / "foreign", "hello\nworld\n");
-  spill(folder.path() / "utf16", std::string("\xFF\xFEt\0,\0x\0\r\0\n\0", 12));
-  spill(folder.path() / "cr", "$FPHDR,1\r$FPODO,1\r");
-  spill(folder.path() / "scene.json", "{\"format\": 1, }");
-  const Outcome run = shell(folder, GetParam().line);
+  spill("empty", "");
+  spill("foreign", "hello\nworld\n");
+  spill("utf16", std::string("\xFF\xFEt\0,\0x\0\r\0\n\0", 12));
+  spill("cr", "$FPHDR,1\r$FPODO,1\r");
+  spill("scene.json", "{\"format\": 1, }");
+  const Outcome run = shell(GetParam().line);
   EXPECT_EQ(run.exit_code, 3) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "result"));
+  EXPECT_TRUE(holds(run.err, GetParam().says));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "result"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

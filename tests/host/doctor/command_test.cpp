@@ -10,46 +10,36 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Drive;
-using testing::Folder;
-using testing::Outcome;
-using testing::recording;
-using testing::shell;
-using testing::spill;
+using namespace testing;
 
 TEST(DoctorCommand, FindsNothingInAGoodLog) {
-  const Outcome run = shell(Folder(), "fencepost doctor " + recording("stop_pixy2.log"));
+  const Outcome run = shell("fencepost doctor " + recording("stop_pixy2.log"));
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(run.out.ends_with("\nnothing is wrong with it\n")) << run.out;
 }
 
 TEST(DoctorCommand, EndsWithOneWhereALogHasAFault) {
-  const Folder folder;
-  spill(folder.path() / "bad.log", Drive{.camera = ""}.stream());
-  const Outcome run = shell(folder, "fencepost doctor bad.log");
+  spill("bad.log", Drive{.camera = ""}.stream());
+  const Outcome run = shell("fencepost doctor bad.log");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find("FAULT    no FPCAM: nothing says how the camera sees; replay takes one with --camera"),
-            std::string::npos)
-      << run.out;
+  EXPECT_TRUE(holds(run.out, "FAULT    no FPCAM: nothing says how the camera sees; replay takes one with --camera"));
 }
 
 TEST(DoctorCommand, ComparesWithAGoodDay) {
-  const Folder folder;
-  spill(folder.path() / "good.log", Drive().stream());
-  spill(folder.path() / "today.log", Drive{.seen = [](int i) { return i % 15 != 0; }}.stream());
-  EXPECT_EQ(shell(folder, "fencepost doctor good.log --compare good.log").exit_code, 0);
-  const Outcome run = shell(folder, "fencepost doctor today.log --compare good.log");
+  spill("good.log", Drive().stream());
+  spill("today.log", Drive{.seen = [](int i) { return i % 15 != 0; }}.stream());
+  EXPECT_EQ(shell("fencepost doctor good.log --compare good.log").exit_code, 0);
+  const Outcome run = shell("fencepost doctor today.log --compare good.log");
   EXPECT_EQ(run.exit_code, 1) << run.out;
-  EXPECT_NE(run.out.find("red: flicker, of 100 frames"), std::string::npos) << run.out;
-  const auto document =
-      nlohmann::json::parse(shell(folder, "fencepost doctor today.log --compare good.log --json").out);
+  EXPECT_TRUE(holds(run.out, "red: flicker, of 100 frames"));
+  const auto document = nlohmann::json::parse(shell("fencepost doctor today.log --compare good.log --json").out);
   EXPECT_EQ(document["worse"].size(), 1U);
   EXPECT_EQ(document["findings"].size(), 0U);
   EXPECT_EQ(document["survey"]["colours"].size(), 1U);
 }
 
 TEST(DoctorCommand, ListsPortsWithoutOpeningThem) {
-  const Outcome run = shell(Folder(), "fencepost doctor --json");
+  const Outcome run = shell("fencepost doctor --json");
   EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 4) << run.err;
   const auto document = nlohmann::json::parse(run.out);
   EXPECT_TRUE(document["ports"].is_array());
@@ -58,59 +48,54 @@ TEST(DoctorCommand, ListsPortsWithoutOpeningThem) {
 }
 
 TEST(DoctorCommand, SaysHowADeviceIs) {
-  const Folder folder;
-  const Outcome missing = shell(folder, "fencepost doctor --camera pixy2:./none");
+  const Outcome missing = shell("fencepost doctor --camera pixy2:./none");
   EXPECT_EQ(missing.exit_code, 4);
-  EXPECT_NE(missing.out.find("FAULT    ./none is not there; plug it in"), std::string::npos) << missing.out;
-  const Outcome port = shell(folder, "fencepost doctor /dev/ttyNone9");
+  EXPECT_TRUE(holds(missing.out, "FAULT    ./none is not there; plug it in"));
+  const Outcome port = shell("fencepost doctor /dev/ttyNone9");
   EXPECT_EQ(port.exit_code, 4);
-  EXPECT_NE(port.out.find("/dev/ttyNone9 is not there"), std::string::npos) << port.out;
+  EXPECT_TRUE(holds(port.out, "/dev/ttyNone9 is not there"));
 }
 
 TEST(DoctorCommand, TellsWhoMayNotOpenAPortWhatToType) {
-  const Folder folder;
-  if (::geteuid() != 0 || !testing::anybody_can_run(folder)) GTEST_SKIP() << "needs root, to become somebody else";
-  const linux::FarEnd far((folder.path() / "tty").string());
-  const Outcome run = shell(folder, testing::as_anybody(folder) + "fencepost doctor --camera pixy2:./tty");
+  if (::geteuid() != 0 || !testing::anybody_can_run()) GTEST_SKIP() << "needs root, to become somebody else";
+  const linux::FarEnd far((folder() / "tty").string());
+  const Outcome run = shell(testing::as_anybody() + "fencepost doctor --camera pixy2:./tty");
   EXPECT_EQ(run.exit_code, 4);
-  EXPECT_NE(run.out.find("may not open it; type 'sudo "), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.out, "may not open it; type 'sudo "));
 }
 
 TEST(DoctorCommand, RefusesWhatMakesNoSense) {
-  const Folder folder;
-  spill(folder.path() / "a.log", Drive().stream());
+  spill("a.log", Drive().stream());
   for (const char* line : {"fencepost doctor --compare a.log", "fencepost doctor a.log --camera pixy2:./x",
                            "fencepost doctor --camera console", "fencepost doctor --camera nxtcam:nxt",
                            "fencepost doctor - --compare -"}) {
-    const Outcome run = shell(folder, line);
+    const Outcome run = shell(line);
     EXPECT_EQ(run.exit_code, 2) << line << run.err;
     EXPECT_EQ(run.out, "") << line;
   }
-  EXPECT_EQ(shell(folder, "fencepost doctor missing.log").exit_code, 3);
+  EXPECT_EQ(shell("fencepost doctor missing.log").exit_code, 3);
 }
 
 TEST(ReplayDiffCommand, ShowsBothLogs) {
-  const Folder folder;
   const std::string log = recording("approach_stop.log");
-  EXPECT_EQ(shell(folder, "fencepost replay --diff " + log + " " + log).exit_code, 0);
-  const Outcome run = shell(folder, "fencepost replay --diff " + log + " " + recording("stop_pixy2.log"));
+  EXPECT_EQ(shell("fencepost replay --diff " + log + " " + log).exit_code, 0);
+  const Outcome run = shell("fencepost replay --diff " + log + " " + recording("stop_pixy2.log"));
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find("calibration: \n  camera fx"), std::string::npos) << run.out;
-  EXPECT_EQ(shell(folder, "fencepost replay --diff " + log).exit_code, 2);
-  EXPECT_EQ(shell(folder, "fencepost replay x --diff " + log + " " + log).exit_code, 2);
-  EXPECT_EQ(shell(folder, "fencepost replay --diff " + log + " missing.log").exit_code, 3);
+  EXPECT_TRUE(holds(run.out, "calibration: \n  camera fx"));
+  EXPECT_EQ(shell("fencepost replay --diff " + log).exit_code, 2);
+  EXPECT_EQ(shell("fencepost replay x --diff " + log + " " + log).exit_code, 2);
+  EXPECT_EQ(shell("fencepost replay --diff " + log + " missing.log").exit_code, 3);
 }
 
 // No frame comes before white balance and gain have settled: that is no fault.
 TEST(DoctorCommand, WaitsForACameraThatSettles) {
-  const Folder folder;
   const std::string scene = recording("stop_cmucam2.json");
-  const Outcome run = shell(folder, "fencepost emulate cmucam2 " + scene + " --link cam > emulated 2>&1 & " +
-                                        "until [ -e cam ]; do sleep 0.05; done; " +
-                                        "fencepost doctor --camera cmucam2:./cam,settle=4 --robot " + scene +
-                                        "; code=$?; kill $!; wait; exit $code");
+  const Outcome run =
+      shell("fencepost emulate cmucam2 " + scene + " --link cam > emulated 2>&1 & " +
+            "until [ -e cam ]; do sleep 0.05; done; " + "fencepost doctor --camera cmucam2:./cam,settle=4 --robot " +
+            scene + "; code=$?; kill $!; wait; exit $code");
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_NE(run.out.find("cmucam2 at ./cam works"), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.out, "cmucam2 at ./cam works"));
 }
 
 }  // namespace

@@ -10,10 +10,7 @@
 namespace fencepost::host {
 namespace {
 
-using testing::codes_of;
-using testing::Drive;
-using testing::findings_of;
-using testing::line_of;
+using namespace testing;
 using Codes = std::vector<std::string>;
 
 Codes codes(const Drive& drive) { return codes_of(findings_of(drive.stream())); }

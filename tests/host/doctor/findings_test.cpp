@@ -24,10 +24,7 @@ namespace fencepost::host {
 namespace {
 
 using doctor::Findings;
-using testing::Drive;
-using testing::examined;
-using testing::FakePixy2;
-using testing::line_of;
+using namespace testing;
 using Provoke = std::function<Findings()>;
 
 Findings of(const Drive& drive) { return testing::findings_of(drive.stream()); }

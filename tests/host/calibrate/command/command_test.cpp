@@ -12,12 +12,7 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::recording;
-using testing::shell;
-using testing::slurp;
-using testing::spill;
+using namespace testing;
 
 std::string drive(test::Motion motion = test::Motion::kGuide, int blocks = 4) {
   test::DriveOptions options;
@@ -28,23 +23,22 @@ std::string drive(test::Motion motion = test::Motion::kGuide, int blocks = 4) {
 }
 
 TEST(CalibrateCommand, WritesATableTheLineTheRobotFileAndAPicture) {
-  const Folder folder;
-  spill(folder.path() / "run.log", drive());
-  spill(folder.path() / "robot.json", R"({"robot": {"width": 0.3}, "wheels": {"track": 0.2}})");
-  const Outcome run = shell(folder,
-                            "fencepost calibrate run.log --robot robot.json --write-robot new.json --write-camera "
-                            "camera.txt --picture calibration.svg && fencepost replay run.log --camera camera.txt "
-                            "-o replayed.txt && fencepost calibrate run.log --json -o run.json");
+  spill("run.log", drive());
+  spill("robot.json", R"({"robot": {"width": 0.3}, "wheels": {"track": 0.2}})");
+  const Outcome run = shell(
+      "fencepost calibrate run.log --robot robot.json --write-robot new.json --write-camera "
+      "camera.txt --picture calibration.svg && fencepost replay run.log --camera camera.txt "
+      "-o replayed.txt && fencepost calibrate run.log --json -o run.json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const std::string line = slurp(folder.path() / "camera.txt");
+  const std::string line = slurp("camera.txt");
   EXPECT_TRUE(line.starts_with("$FPCAM,pixy2,316,208,")) << line;
-  EXPECT_NE(run.out.find("focal length"), std::string::npos);
-  EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
-  const nlohmann::json robot = nlohmann::json::parse(slurp(folder.path() / "new.json"));
+  EXPECT_TRUE(holds(run.out, "focal length"));
+  EXPECT_TRUE(holds(run.out, line));
+  const nlohmann::json robot = nlohmann::json::parse(slurp("new.json"));
   EXPECT_EQ(robot.at("robot").at("width"), 0.3);
   EXPECT_TRUE(robot.at("camera").at("mount").contains("yaw"));
-  EXPECT_NE(slurp(folder.path() / "calibration.svg").find("</svg>"), std::string::npos);
-  const nlohmann::json result = nlohmann::json::parse(slurp(folder.path() / "run.json"));
+  EXPECT_NE(slurp("calibration.svg").find("</svg>"), std::string::npos);
+  const nlohmann::json result = nlohmann::json::parse(slurp("run.json"));
   EXPECT_TRUE(result.at("complete"));
   EXPECT_GT(result.at("parameters").at("yaw").at("sigma"), 0);
   EXPECT_EQ(result.at("fpcam").get<std::string>() + "\r\n", line);
@@ -58,13 +52,12 @@ std::string padded_drive(double pad) {
 }
 
 TEST(CalibrateCommand, FindsWhatBoxesAreTooWideAndWritesIt) {
-  const Folder folder;
-  spill(folder.path() / "run.log", padded_drive(4));
-  const Outcome run = shell(folder,
-                            "fencepost calibrate run.log --write-robot new.json && "
-                            "fencepost calibrate run.log --json -o run.json");
+  spill("run.log", padded_drive(4));
+  const Outcome run = shell(
+      "fencepost calibrate run.log --write-robot new.json && "
+      "fencepost calibrate run.log --json -o run.json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const nlohmann::json result = nlohmann::json::parse(slurp(folder.path() / "run.json"));
+  const nlohmann::json result = nlohmann::json::parse(slurp("run.json"));
   ASSERT_EQ(result.at("pads").size(), 4U) << "four colours of one block each share it";
   for (const nlohmann::json& pad : result.at("pads")) {
     const double sigma = pad.at("sigma");
@@ -72,21 +65,20 @@ TEST(CalibrateCommand, FindsWhatBoxesAreTooWideAndWritesIt) {
     EXPECT_NEAR(pad.at("found").get<double>(), 4, 2 * sigma);
     EXPECT_EQ(pad.at("configured"), 0);
   }
-  EXPECT_NE(run.out.find("pad of red"), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.out, "pad of red"));
   const std::string line = result.at("fpsig").at(0);
   EXPECT_TRUE(line.starts_with("$FPSIG,1,d02020,red,,")) << line;
-  EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
-  const nlohmann::json robot = nlohmann::json::parse(slurp(folder.path() / "new.json"));
+  EXPECT_TRUE(holds(run.out, line));
+  const nlohmann::json robot = nlohmann::json::parse(slurp("new.json"));
   EXPECT_EQ(robot.at("signatures").at(0).at("pad"), 4);
 }
 
 // Four red pillars and three green ones.
 TEST(CalibrateCommand, AColourOfFewThingsSharesItsPadWithAllOthers) {
-  const Folder folder;
   nlohmann::json scene = nlohmann::json::parse(slurp(FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.json"));
   scene.at("noise")["edge_bias_px"] = 5;
-  spill(folder.path() / "scene.json", scene.dump());
-  const Outcome run = shell(folder, "fencepost simulate scene.json -o run.log && fencepost calibrate run.log --json");
+  spill("scene.json", scene.dump());
+  const Outcome run = shell("fencepost simulate scene.json -o run.log && fencepost calibrate run.log --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json result = nlohmann::json::parse(run.out);
   ASSERT_EQ(result.at("pads").size(), 2U);
@@ -96,7 +88,6 @@ TEST(CalibrateCommand, AColourOfFewThingsSharesItsPadWithAllOthers) {
 
 // The log's robot takes off twice what it should. The pad that is found is the whole one.
 TEST(CalibrateCommand, GoesOnFromThePadsOfTheLog) {
-  const Folder folder;
   std::string log = padded_drive(4);
   std::string padded;
   while (!log.empty()) {
@@ -104,8 +95,8 @@ TEST(CalibrateCommand, GoesOnFromThePadsOfTheLog) {
     log.erase(0, line.size());
     padded += line.starts_with("$FPSIG") ? record::sealed(line.substr(1, line.find('*') - 1) + ",,8") + "\r\n" : line;
   }
-  spill(folder.path() / "run.log", padded);
-  const Outcome run = shell(folder, "fencepost calibrate run.log --json");
+  spill("run.log", padded);
+  const Outcome run = shell("fencepost calibrate run.log --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json result = nlohmann::json::parse(run.out);
   ASSERT_EQ(result.at("pads").size(), 4U);
@@ -114,17 +105,16 @@ TEST(CalibrateCommand, GoesOnFromThePadsOfTheLog) {
 }
 
 TEST(CalibrateCommand, SaysNothingOfBoxesThatAreRight) {
-  const Folder folder;
-  spill(folder.path() / "run.log", drive());
-  const Outcome run = shell(folder, "fencepost calibrate run.log --json");
+  spill("run.log", drive());
+  const Outcome run = shell("fencepost calibrate run.log --json");
   EXPECT_EQ(nlohmann::json::parse(run.out).at("pads").size(), 0U) << run.out;
 }
 
 using Codes = std::vector<std::string>;
 
 /// The codes by which `doctor` judges a log's distances.
-Codes doctor_says(const Folder& folder, const std::string& log) {
-  const Outcome run = shell(folder, "fencepost doctor " + log + " --json");
+Codes doctor_says(const std::string& log) {
+  const Outcome run = shell("fencepost doctor " + log + " --json");
   Codes codes;
   const nlohmann::json document = nlohmann::json::parse(run.out);
   for (const auto& finding : document.at("findings")) {
@@ -138,8 +128,8 @@ Codes doctor_says(test::Fault fault) {
   const Folder folder;
   test::DriveOptions options;
   options.seed = 42'003;
-  spill(folder.path() / "run.log", test::faulty_drive(options, fault, false));
-  return doctor_says(folder, "run.log");
+  spill("run.log", test::faulty_drive(options, fault, false));
+  return doctor_says("run.log");
 }
 
 TEST(DistancesByDoctor, EachFaultIsNamedAndNoOther) {
@@ -151,36 +141,33 @@ TEST(DistancesByDoctor, EachFaultIsNamedAndNoOther) {
 }
 
 TEST(DistancesByDoctor, APadIsGivenAsTheLinesThatMendIt) {
-  const Folder folder;
   test::DriveOptions options;
   options.seed = 42'003;
-  spill(folder.path() / "run.log", test::faulty_drive(options, test::Fault::kPadAll, false));
-  const Outcome run = shell(folder, "fencepost doctor run.log");
-  EXPECT_NE(run.out.find("$FPSIG,1,d02020,red,,"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("$FPSIG,4,"), std::string::npos) << run.out;
+  spill("run.log", test::faulty_drive(options, test::Fault::kPadAll, false));
+  const Outcome run = shell("fencepost doctor run.log");
+  EXPECT_TRUE(holds(run.out, "$FPSIG,1,d02020,red,,"));
+  EXPECT_TRUE(holds(run.out, "$FPSIG,4,"));
 }
 
 /// A camera that looks at the centre of its circle: no wheels roll like that.
 TEST(DistancesByDoctor, NothingIsJudgedOfARobotThatMovesSideways) {
-  EXPECT_EQ(doctor_says(Folder(), recording("noisy_arc.log")), Codes{});
-  const Outcome run = shell(Folder(), "fencepost doctor " + recording("noisy_arc.log"));
-  EXPECT_NE(run.err.find("moves sideways"), std::string::npos) << run.err;
+  EXPECT_EQ(doctor_says(recording("noisy_arc.log")), Codes{});
+  const Outcome run = shell("fencepost doctor " + recording("noisy_arc.log"));
+  EXPECT_TRUE(holds(run.err, "moves sideways"));
 }
 
 TEST(CalibrateCommand, WhatALogCannotTellIsNamedAndIsStatusOne) {
-  const Folder folder;
-  spill(folder.path() / "run.log", drive(test::Motion::kSpin));
-  const Outcome run = shell(folder, "fencepost calibrate run.log");
+  spill("run.log", drive(test::Motion::kSpin));
+  const Outcome run = shell("fencepost calibrate run.log");
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("yaw is not found from this log"), std::string::npos) << run.err;
-  EXPECT_NE(run.out.find("not found"), std::string::npos) << run.out;
+  EXPECT_TRUE(holds(run.err, "yaw is not found from this log"));
+  EXPECT_TRUE(holds(run.out, "not found"));
 }
 
 // A car's readings become poses as they do on the robot.
 TEST(CalibrateCommand, TakesACarsLog) {
-  const Folder folder;
   const std::string log = FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.log";
-  const Outcome run = shell(folder, "fencepost calibrate " + log + " --json");
+  const Outcome run = shell("fencepost calibrate " + log + " --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json found = nlohmann::json::parse(run.out);
   EXPECT_NEAR(found.at("parameters").at("yaw").at("found").get<double>(), 0, 0.3);
@@ -196,15 +183,14 @@ struct Refused {
 class CalibrateRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(CalibrateRefuses, WithAReasonOnStandardErrorOnly) {
-  const Folder folder;
-  spill(folder.path() / "run.log", drive());
-  spill(folder.path() / "standing.log", drive(test::Motion::kStanding));
-  spill(folder.path() / "one.log", drive(test::Motion::kGuide, 1));
-  spill(folder.path() / "empty.log", "");
-  const Outcome run = shell(folder, GetParam().line);
+  spill("run.log", drive());
+  spill("standing.log", drive(test::Motion::kStanding));
+  spill("one.log", drive(test::Motion::kGuide, 1));
+  spill("empty.log", "");
+  const Outcome run = shell(GetParam().line);
   EXPECT_EQ(run.exit_code, GetParam().status) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(

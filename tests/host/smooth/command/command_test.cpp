@@ -10,11 +10,7 @@
 namespace fencepost::host {
 namespace {
 
-using testing::Folder;
-using testing::Outcome;
-using testing::shell;
-using testing::slurp;
-using testing::spill;
+using namespace testing;
 
 test::RoundTrip drifting() {
   test::RoundTripOptions options;
@@ -24,14 +20,13 @@ test::RoundTrip drifting() {
 }
 
 TEST(SmoothCommand, WritesTextJsonAndAReport) {
-  const Folder folder;
-  spill(folder.path() / "run.log", drifting().log);
+  spill("run.log", drifting().log);
   const Outcome run =
-      shell(folder, "fencepost smooth run.log --report run.html && fencepost smooth run.log --json -o run.json");
+      shell("fencepost smooth run.log --report run.html && fencepost smooth run.log --json -o run.json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("online against optimum"), std::string::npos) << run.out;
-  EXPECT_NE(slurp(folder.path() / "run.html").find("show-online"), std::string::npos);
-  const nlohmann::json result = nlohmann::json::parse(slurp(folder.path() / "run.json"));
+  EXPECT_TRUE(holds(run.out, "online against optimum"));
+  EXPECT_NE(slurp("run.html").find("show-online"), std::string::npos);
+  const nlohmann::json result = nlohmann::json::parse(slurp("run.json"));
   EXPECT_EQ(result.at("objects").size(), 6U);
   EXPECT_TRUE(result.at("objects")[0].at("models").contains("optimum"));
   EXPECT_GT(result.at("path").size(), 100U);
@@ -40,25 +35,22 @@ TEST(SmoothCommand, WritesTextJsonAndAReport) {
 }
 
 TEST(SmoothCommand, EvaluatePrintsOnlineAgainstOptimum) {
-  const Folder folder;
   const test::RoundTrip trip = drifting();
-  spill(folder.path() / "run.log", trip.log);
-  spill(folder.path() / "run.json", write_scene(trip.scene));
-  const Outcome text = shell(folder, "fencepost evaluate run.log --smooth");
+  spill("run.log", trip.log);
+  spill("run.json", write_scene(trip.scene));
+  const Outcome text = shell("fencepost evaluate run.log --smooth");
   EXPECT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_NE(text.out.find("Online against optimum"), std::string::npos) << text.out;
-  const Outcome json = shell(folder, "fencepost evaluate run.log --smooth --json");
+  EXPECT_TRUE(holds(text.out, "Online against optimum"));
+  const Outcome json = shell("fencepost evaluate run.log --smooth --json");
   const nlohmann::json smooth = nlohmann::json::parse(json.out).at("smooth");
   ASSERT_EQ(smooth.size(), 1U);
   EXPECT_LT(smooth[0].at("optimum").at("aligned"), smooth[0].at("online").at("aligned"));
-  const Outcome without = shell(folder, "fencepost evaluate run.log --json");
+  const Outcome without = shell("fencepost evaluate run.log --json");
   EXPECT_FALSE(nlohmann::json::parse(without.out).contains("smooth"));
 }
 
 TEST(SmoothCommand, TakesACarsLog) {
-  const Folder folder;
-  const Outcome run =
-      shell(folder, "fencepost smooth " FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.log --json");
+  const Outcome run = shell("fencepost smooth " FENCEPOST_SOURCE_DIR "/host/share/recordings/wro_lap.log --json");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const nlohmann::json result = nlohmann::json::parse(run.out);
   EXPECT_EQ(result.at("objects").size(), 7U);
@@ -74,14 +66,13 @@ struct Refused {
 class SmoothRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(SmoothRefuses, WithAReasonOnStandardErrorOnly) {
-  const Folder folder;
   const std::string log = drifting().log;
-  spill(folder.path() / "run.log", log);
-  spill(folder.path() / "empty.log", "");
-  const Outcome run = shell(folder, std::string("grep -v FPODO run.log >still.log; ") + GetParam().line);
+  spill("run.log", log);
+  spill("empty.log", "");
+  const Outcome run = shell(std::string("grep -v FPODO run.log >still.log; ") + GetParam().line);
   EXPECT_EQ(run.exit_code, GetParam().status) << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
+  EXPECT_TRUE(holds(run.err, GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SmoothRefuses,
