@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -12,6 +11,7 @@
 #include "host/evaluate/evaluation_text.hpp"
 #include "host/evaluate/matching.hpp"
 #include "host/scene/load.hpp"
+#include "tests/host/contents.hpp"
 #include "tests/host/evaluate/shapes.hpp"
 
 namespace fencepost::host {
@@ -20,18 +20,13 @@ namespace {
 const std::string kRecordings = FENCEPOST_SOURCE_DIR "/host/share/recordings/";
 constexpr const char* kNames[] = {"approach_stop", "blocks_arc", "corridor", "noisy_arc"};
 
-std::string log_of(const std::string& name) {
-  std::ifstream file(kRecordings + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 Scene scene_of(const std::string& name) {
   const LoadedScene scene = load_scene(kRecordings + name + ".json");
   EXPECT_TRUE(scene.ok()) << name;
   return *scene;
 }
 Evaluation evaluated(const std::string& name, const Scene& scene) {
-  const EvaluateOutcome outcome = evaluate(log_of(name), name, scene, {});
+  const EvaluateOutcome outcome = evaluate(test::bundled_log(name), name, scene, {});
   EXPECT_FALSE(outcome.replay.unreadable);
   return outcome.evaluation;
 }
@@ -54,7 +49,7 @@ TEST(Evaluate, TheBundledRecordingsAreTheirScenesOwn) {
 
 // The cut at n views is what a replay that stops there finds: not what the end of the run makes of it.
 TEST(Evaluate, ACutIsAReplayThatStopsThere) {
-  const std::string log = log_of("noisy_arc");
+  const std::string log = test::bundled_log("noisy_arc");
   const Scene scene = scene_of("noisy_arc");
   const Evaluation evaluation = evaluated("noisy_arc", scene);
   std::size_t compared = 0;
@@ -113,7 +108,7 @@ TEST(Evaluate, WhatWasHardlyVisibleIsNotMissed) {
   Scene scene = scene_of("blocks_arc");
   scene.path = std::monostate{};
   scene.objects = {{"elsewhere", 1, 0, 0.2, testing::box(5, 5, 0.1, 0.1)}};
-  std::istringstream lines(log_of("blocks_arc"));
+  std::istringstream lines(test::bundled_log("blocks_arc"));
   std::string log;
   std::uint64_t frames = 0;
   std::vector<bool> missed;
@@ -128,7 +123,7 @@ TEST(Evaluate, WhatWasHardlyVisibleIsNotMissed) {
 }
 
 TEST(Evaluate, OfSeveralRunsTheLastCounts) {
-  const std::string log = log_of("blocks_arc");
+  const std::string log = test::bundled_log("blocks_arc");
   const Scene scene = scene_of("blocks_arc");
   const Evaluation once = evaluate(log, "", scene, {}).evaluation;
   const Evaluation twice = evaluate(log + log, "", scene, {}).evaluation;

@@ -7,11 +7,11 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "tests/hal/linux/pty.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -23,11 +23,6 @@ AlertNow alert_at(AlertLevel level) {
   AlertNow alert;
   alert.beat = {base::Time::nearest(12.5), level, sensor::LinkState::kOk, sensor::LinkState::kEmpty};
   return alert;
-}
-
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 class AlertCommandTest : public ::testing::Test {
@@ -64,7 +59,7 @@ TEST_F(AlertCommandTest, GetsTheStateAsArgumentAndEnvironment) {
     command.show(alert, {});
     command.show(alert, {});
   }
-  EXPECT_EQ(read(path("seen")),
+  EXPECT_EQ(test::contents(path("seen")),
             "stop\nFENCEPOST_BEARING=-0.0500\nFENCEPOST_CAMERA=ok\nFENCEPOST_COLOUR=red; rm -rf x\n"
             "FENCEPOST_DISTANCE=0.2700\nFENCEPOST_ID=3\nFENCEPOST_LEVEL=stop\nFENCEPOST_ODOMETRY=empty\n"
             "FENCEPOST_TIME=12.5000\nFENCEPOST_TTC=0.9000\n");
@@ -85,7 +80,7 @@ TEST_F(AlertCommandTest, RunsAtEachChangeAndOnlyThen) {
     await_file(std::string(name(level)));
   }
   command.end({});
-  EXPECT_EQ(read(path("seen")), "blind\nclear\nwarn\nblind\n") << "the end of the run is a change, too";
+  EXPECT_EQ(test::contents(path("seen")), "blind\nclear\nwarn\nblind\n") << "the end of the run is a change, too";
   EXPECT_TRUE(command.messages().empty());
 }
 
@@ -93,7 +88,7 @@ TEST_F(AlertCommandTest, TheEndOfARunThatStandsIsNoChange) {
   AlertCommand command("echo $1 >> '" + path("seen") + "'");
   command.show(alert_at(AlertLevel::kStop), {});
   command.end({});
-  EXPECT_EQ(read(path("seen")), "stop\n");
+  EXPECT_EQ(test::contents(path("seen")), "stop\n");
 }
 
 // One command runs at a time; a newer alert replaces the one that waits.
@@ -110,7 +105,7 @@ TEST_F(AlertCommandTest, TheNewestChangeIsNotLostBehindASlowOne) {
     command.show(alert_at(AlertLevel::kStop), {});
     EXPECT_LT(std::chrono::steady_clock::now() - before, Ms(150)) << "the loop does not wait";
   }
-  EXPECT_EQ(read(path("seen")), "begin notice\nend notice\nbegin stop\nend stop\n");
+  EXPECT_EQ(test::contents(path("seen")), "begin notice\nend notice\nbegin stop\nend stop\n");
   EXPECT_GE(std::chrono::steady_clock::now() - begun, Ms(400));
 }
 

@@ -10,13 +10,11 @@
 
 #include "host/live/log_file.hpp"
 #include "tests/hal/linux/pty.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::host {
 
-inline std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+using test::contents;
 
 inline void spill(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 

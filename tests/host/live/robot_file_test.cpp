@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "drivers/pixy2/camera.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -124,8 +125,7 @@ TEST(RobotFile, ReadsCountsOnCan) {
 }
 
 std::string shared(const char* name) {
-  std::ifstream file(std::string(FENCEPOST_SOURCE_DIR "/host/share/can/") + name);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return test::contents(std::string(FENCEPOST_SOURCE_DIR "/host/share/can/") + name);
 }
 
 bus::CanFrame frame_of(std::uint32_t id, bool extended, std::initializer_list<std::uint8_t> data) {
@@ -202,8 +202,7 @@ TEST(RobotFile, AFootprintBecomesTheRectangleAroundIt) {
 }
 
 TEST(RobotFile, TheDocumentsExampleIsOne) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/doc/live.md");
-  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  const std::string document = test::contents(FENCEPOST_SOURCE_DIR "/host/share/doc/live.md");
   const std::size_t begin = document.find("```json\n") + 8;
   const RobotFile robot = read(document.substr(begin, document.find("```", begin) - begin));
   EXPECT_EQ(robot.camera.mount->z.raw, 1'200);

@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "host/result/to_json.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -15,16 +13,8 @@ using host::replay;
 using host::ReplayOptions;
 using host::to_json;
 
-std::string recorded(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
 TEST(LogReplay, LookingOnTheWayChangesNothing) {
-  const std::string log = recorded("noisy_arc");
+  const std::string log = bundled_log("noisy_arc");
   ReplayOptions options;
   options.check = true;
   LogReplay looked(options);
@@ -39,7 +29,7 @@ TEST(LogReplay, LookingOnTheWayChangesNothing) {
 }
 
 TEST(LogReplay, IsOnTheWayWhereALogCutThereEnds) {
-  const std::string log = recorded("corridor");
+  const std::string log = bundled_log("corridor");
   const std::size_t half = log.rfind('\n', log.size() / 2) + 1;
   const ReplayOptions options;
   LogReplay part(options);
@@ -69,7 +59,7 @@ TEST(LogReplay, TellsWhatBecameOfEachLine) {
 }
 
 TEST(LogReplay, CountsRunsAndBeginsAnew) {
-  const std::string log = recorded("approach_stop");
+  const std::string log = bundled_log("approach_stop");
   const ReplayOptions options;
   LogReplay twice(options);
   EXPECT_EQ(twice.runs(), 0U);

@@ -1,7 +1,6 @@
 // Watching a replay: every frame is shown, and nothing that is found changes.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -9,18 +8,13 @@
 #include "host/replay/replay.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/to_json.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::test {
 namespace {
 
 using host::PlacedFrame;
 using host::PlacedSighting;
-
-std::string recording(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 struct Witness final : host::RunObserver {
   int runs = 0;
@@ -77,7 +71,7 @@ Hybrids hybrids_of(const std::string& log, const char* profile) {
 }
 
 TEST(Observer, SeesTheCylinderWhereABoardsOutlineIsBehind) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   for (const char* board : {"micro", "small"}) {
     SCOPED_TRACE(board);
     const Hybrids hybrids = hybrids_of(log, board);
@@ -95,7 +89,7 @@ TEST(Observer, SeesEveryFrameAndChangesNothing) {
   for (const auto& [name, profile] : {Case{"approach_stop", "micro"}, Case{"blocks_arc", "small"},
                                       Case{"corridor", "full"}, Case{"noisy_arc", "micro"}}) {
     SCOPED_TRACE(std::string(name) + " " + profile);
-    const std::string bytes = recording(name);
+    const std::string bytes = bundled_log(name);
     std::string plain_log;
     std::string watched_log;
     Witness witness;
@@ -119,7 +113,7 @@ TEST(Observer, SeesEveryFrameAndChangesNothing) {
 }
 
 TEST(Observer, IsToldWhereARunBegins) {
-  const std::string bytes = recording("corridor");
+  const std::string bytes = bundled_log("corridor");
   Witness once;
   Witness twice;
   host::ReplayOptions options;

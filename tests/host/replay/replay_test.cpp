@@ -15,6 +15,7 @@
 #include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
 #include "host/scene/load.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -25,15 +26,6 @@ using host::ReplayOutcome;
 
 const std::string kRecordings = FENCEPOST_SOURCE_DIR "/host/share/recordings/";
 constexpr const char* kNames[] = {"approach_stop", "blocks_arc", "corridor", "noisy_arc"};
-
-std::string slurp(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-std::string recording(const std::string& name) { return slurp(kRecordings + name + ".log"); }
 
 double distance_to(const host::LinearRing& ring, const host::GuardPoint& point) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -85,7 +77,7 @@ TEST(Replay, EveryProfileReplaysItsOwnLogToTheSameDigestAndAlerts) {
       std::string own;
       ReplayOptions options = with(profile);
       options.log = [&](std::string_view line) { own += line; };
-      const ReplayOutcome first = replay(recording(name), name, options);
+      const ReplayOutcome first = replay(bundled_log(name), name, options);
       ASSERT_FALSE(first.unreadable);
       ReplayOptions checking;
       checking.check = true;  // the profile is taken from the log's header
@@ -103,7 +95,7 @@ TEST(Replay, CheckFindsAChangedRecord) {
   std::string own;
   ReplayOptions options;
   options.log = [&](std::string_view line) { own += line; };
-  const ReplayOutcome first = replay(recording("blocks_arc"), "blocks_arc", options);
+  const ReplayOutcome first = replay(bundled_log("blocks_arc"), "blocks_arc", options);
   std::vector<std::string> lines = lines_of(own);
   const auto digest = std::find_if(lines.begin(), lines.end(), [](const auto& l) { return l.starts_with("$FPDIG"); });
   ASSERT_NE(digest, lines.end());
@@ -122,7 +114,7 @@ TEST(Replay, CheckComparesNothingBeforeTheFirstHeaderWhereOneFollows) {
   std::string own;
   ReplayOptions options;
   options.log = [&](std::string_view line) { own += line; };
-  replay(recording("blocks_arc"), "blocks_arc", options);
+  replay(bundled_log("blocks_arc"), "blocks_arc", options);
   std::vector<std::string> lines = lines_of(own);
   ASSERT_TRUE(lines[0].starts_with("$FPHDR"));
   const std::string late =
@@ -144,7 +136,7 @@ TEST(Replay, TheApproachEndsInAStopForTheRightObject) {
   std::vector<std::string> sentences;
   ReplayOptions options;
   options.text = [&](std::string_view line) { sentences.emplace_back(line); };
-  const ReplayOutcome outcome = replay(recording("approach_stop"), "approach_stop", options);
+  const ReplayOutcome outcome = replay(bundled_log("approach_stop"), "approach_stop", options);
   ASSERT_FALSE(outcome.result.alerts.empty());
   EXPECT_EQ(outcome.result.alerts.back().level, record::AlertLevel::kStop);
   EXPECT_EQ(outcome.result.alerts.back().signature, 1);
@@ -156,7 +148,7 @@ TEST(Replay, TheApproachEndsInAStopForTheRightObject) {
 }
 
 TEST(Replay, TheGuardKnowsTheFeetOfWhatTheRobotDroveAt) {
-  const ReplayOutcome outcome = replay(recording("approach_stop"), "approach_stop", {});
+  const ReplayOutcome outcome = replay(bundled_log("approach_stop"), "approach_stop", {});
   const host::LoadedScene scene = host::load_scene(kRecordings + "approach_stop.json");
   ASSERT_TRUE(scene.ok());
   int of_the_box = 0;
@@ -172,7 +164,7 @@ TEST(Replay, TheGuardKnowsTheFeetOfWhatTheRobotDroveAt) {
 }
 
 TEST(Replay, TheBlocksWorldIsFound) {
-  const ReplayOutcome outcome = replay(recording("blocks_arc"), "blocks_arc", {});
+  const ReplayOutcome outcome = replay(bundled_log("blocks_arc"), "blocks_arc", {});
   const host::LoadedScene scene = host::load_scene(kRecordings + "blocks_arc.json");
   ASSERT_TRUE(scene.ok());
   ASSERT_EQ(outcome.result.objects.size(), scene->objects.size());
@@ -206,7 +198,7 @@ TEST(Replay, TheBlocksWorldIsFound) {
 // Models that the robot does not run are computed beside its own.
 TEST(Replay, SheafFindsTheBlocksOfEachProfile) {
   for (const char* profile : {"micro", "small", "full"}) {
-    const ReplayOutcome outcome = replay(recording("blocks_arc"), "blocks_arc", with(profile));
+    const ReplayOutcome outcome = replay(bundled_log("blocks_arc"), "blocks_arc", with(profile));
     ASSERT_FALSE(outcome.result.objects.empty());
     for (const host::ObjectResult& object : outcome.result.objects) {
       if (object.views < 40) continue;
@@ -224,7 +216,7 @@ TEST(Replay, SheafFindsTheBlocksOfEachProfile) {
 }
 
 TEST(Replay, FirstNFramesEqualALogCutThere) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   ReplayOptions options;
   options.frames = 30;
   const ReplayOutcome limited = replay(log, "limited", options);
@@ -246,7 +238,7 @@ TEST(Replay, FromAndToLimitTheStreamTime) {
   ReplayOptions options;
   options.from = 2.0;
   options.to = 4.0;
-  const ReplayOutcome outcome = replay(recording("blocks_arc"), "window", options);
+  const ReplayOutcome outcome = replay(bundled_log("blocks_arc"), "window", options);
   ASSERT_FALSE(outcome.unreadable);
   EXPECT_GE(outcome.result.path.front().t, 2.0);
   EXPECT_LE(outcome.result.path.back().t, 4.0);
@@ -255,7 +247,7 @@ TEST(Replay, FromAndToLimitTheStreamTime) {
 
 // The robot's own assumption, given as an option, is the same run. Better poses: other weights, surer outlines.
 TEST(Replay, PoseNoiseIsWhatItIsToldToBe) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   ReplayOptions options = with("full");
   const ReplayOutcome untold = replay(log, "x", options);
   options.pose_noise = host::PoseNoise{0.004, 0.007};
@@ -271,7 +263,7 @@ TEST(Replay, PoseNoiseIsWhatItIsToldToBe) {
 }
 
 TEST(Replay, AHeaderStartsARunAfresh) {
-  const std::string log = recording("approach_stop");
+  const std::string log = bundled_log("approach_stop");
   const ReplayOutcome once = replay(log, "once", {});
   const ReplayOutcome twice = replay(log + log, "twice", {});
   EXPECT_EQ(once.result.digest, twice.result.digest);
@@ -280,7 +272,7 @@ TEST(Replay, AHeaderStartsARunAfresh) {
 }
 
 TEST(Replay, RepeatedCalibrationHasNoEffect) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   const std::vector<std::string> lines = lines_of(log);
   std::string repeated;
   std::string calibration;
@@ -296,7 +288,7 @@ TEST(Replay, RepeatedCalibrationHasNoEffect) {
 // --- bad input: said with place and remedy, and everything good is used ---
 
 TEST(BadInput, GoodRecordsBeforeAndAfterABadOneAreUsed) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   const ReplayOutcome clean = replay(log, "clean", {});
   std::vector<std::string> lines = lines_of(log);
   const std::vector<std::string> bad = {"hello from the student's own program\r\n",
@@ -319,7 +311,7 @@ TEST(BadInput, GoodRecordsBeforeAndAfterABadOneAreUsed) {
 }
 
 TEST(BadInput, ATruncatedLogKeepsWhatItHas) {
-  const std::string log = recording("blocks_arc");
+  const std::string log = bundled_log("blocks_arc");
   const ReplayOutcome outcome = replay(std::string_view(log).substr(0, log.size() * 2 / 3), "truncated", {});
   ASSERT_FALSE(outcome.unreadable);
   EXPECT_EQ(outcome.result.log.rejected[static_cast<std::size_t>(record::Reject::kTruncated)].count, 1U);
@@ -327,7 +319,7 @@ TEST(BadInput, ATruncatedLogKeepsWhatItHas) {
 }
 
 TEST(BadInput, TimeRunningBackwardsIsRejectedAndCounted) {
-  std::vector<std::string> lines = lines_of(recording("blocks_arc"));
+  std::vector<std::string> lines = lines_of(bundled_log("blocks_arc"));
   const std::uint64_t digest = replay(joined(lines), "clean", {}).result.digest;
   std::vector<std::string> odometry;
   for (const std::string& line : lines) {
@@ -341,7 +333,7 @@ TEST(BadInput, TimeRunningBackwardsIsRejectedAndCounted) {
 
 TEST(BadInput, MissingOdometryRefusesOnlyTheFramesInTheGap) {
   std::string log;
-  for (const std::string& line : lines_of(recording("blocks_arc"))) {
+  for (const std::string& line : lines_of(bundled_log("blocks_arc"))) {
     double t = 0;
     if (std::sscanf(line.c_str(), "$FPODO,%lf", &t) == 1 && t > 2.0 && t < 4.0) continue;
     log += line;
@@ -355,7 +347,7 @@ TEST(BadInput, MissingOdometryRefusesOnlyTheFramesInTheGap) {
 }
 
 TEST(BadInput, RandomBitFlipsNeverStopTheReader) {
-  const std::string log = recording("approach_stop");
+  const std::string log = bundled_log("approach_stop");
   std::mt19937 random(11);
   for (int round = 0; round < 10; ++round) {
     std::string damaged = log;
@@ -373,13 +365,13 @@ TEST(BadInput, RandomBitFlipsNeverStopTheReader) {
 TEST(BadInput, UnreadableStreamsSayWhatAndWhatToTry) {
   const std::string camera_missing = [] {
     std::string log;
-    for (const std::string& line : lines_of(recording("blocks_arc"))) {
+    for (const std::string& line : lines_of(bundled_log("blocks_arc"))) {
       if (!line.starts_with("$FPCAM")) log += line;
     }
     return log;
   }();
   std::string odometry_missing;
-  for (const std::string& line : lines_of(recording("blocks_arc"))) {
+  for (const std::string& line : lines_of(bundled_log("blocks_arc"))) {
     if (!line.starts_with("$FPODO")) odometry_missing += line;
   }
   const std::pair<std::string, std::string> cases[] = {
@@ -405,14 +397,14 @@ TEST(BadInput, AnotherFormatEndsTheReading) {
   char crc[8];
   std::snprintf(crc, sizeof crc, "%04X", base::crc16(body));
   const std::string other = "$" + body + "*" + crc + "\r\n";
-  const ReplayOutcome outcome = replay(other + recording("blocks_arc"), "future.log", {});
+  const ReplayOutcome outcome = replay(other + bundled_log("blocks_arc"), "future.log", {});
   ASSERT_TRUE(outcome.unreadable);
   EXPECT_NE(outcome.unreadable->message.find("future.log:1: stream format 2"), std::string::npos)
       << outcome.unreadable->message;
 }
 
 TEST(BadInput, AnUnknownProfileInTheHeaderIsSaid) {
-  std::vector<std::string> lines = lines_of(recording("blocks_arc"));
+  std::vector<std::string> lines = lines_of(bundled_log("blocks_arc"));
   lines[0] = line_of(record::Header{1, "fencepost", "0.1.0", "host", "giant"});
   const ReplayOutcome outcome = replay(joined(lines), "giant", {});
   ASSERT_EQ(outcome.complaints.size(), 1U);
@@ -423,7 +415,7 @@ TEST(BadInput, AnUnknownProfileInTheHeaderIsSaid) {
 TEST(BadInput, AnUnknownPitchIsSaidOnceHoweverOftenTheCalibrationComes) {
   sensor::CameraIntrinsics camera = host::load_scene(kRecordings + "corridor.json")->camera;
   camera.mount.pitch.reset();
-  std::vector<std::string> lines = lines_of(recording("corridor"));
+  std::vector<std::string> lines = lines_of(bundled_log("corridor"));
   std::size_t calibrations = 0;
   for (std::string& line : lines) {
     if (!line.starts_with("$FPCAM")) continue;
@@ -434,7 +426,7 @@ TEST(BadInput, AnUnknownPitchIsSaidOnceHoweverOftenTheCalibrationComes) {
   const ReplayOutcome outcome = replay(joined(lines), "unknown", {});
   ASSERT_EQ(outcome.complaints.size(), 1U);
   EXPECT_NE(outcome.complaints[0].find("pitch unknown"), std::string::npos) << outcome.complaints[0];
-  EXPECT_TRUE(replay(recording("corridor"), "known", {}).complaints.empty());
+  EXPECT_TRUE(replay(bundled_log("corridor"), "known", {}).complaints.empty());
 }
 
 }  // namespace

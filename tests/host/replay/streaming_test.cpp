@@ -1,15 +1,13 @@
 // A log that is read in portions, and what is kept of it.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "host/replay/check.hpp"
 #include "host/replay/complaints.hpp"
 #include "host/replay/kept_path.hpp"
 #include "host/replay/pass_watch.hpp"
 #include "host/replay/replay.hpp"
 #include "host/result/to_json.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -23,14 +21,6 @@ using host::ReplayOptions;
 using host::ReplayOutcome;
 using host::to_json;
 
-std::string streamed_log(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
 /// In portions of 1, 2, 3, ... bytes, each in memory of its own.
 LogSource growing_portions(const std::string& log) {
   return [&log, at = std::size_t{0}, size = std::size_t{0}, part = std::string()]() mutable {
@@ -42,7 +32,7 @@ LogSource growing_portions(const std::string& log) {
 
 TEST(Streaming, PortionsChangeNothing) {
   for (const char* name : {"approach_stop", "noisy_arc"}) {
-    const std::string log = streamed_log(name);
+    const std::string log = bundled_log(name);
     ReplayOptions options;
     options.check = true;
     const ReplayOutcome whole = replay(log, name, options);
@@ -53,7 +43,7 @@ TEST(Streaming, PortionsChangeNothing) {
 }
 
 TEST(Streaming, ReadsNoFurtherThanItHasTo) {
-  const std::string log = streamed_log("corridor");
+  const std::string log = bundled_log("corridor");
   std::size_t asked = 0;
   const LogSource by_line = [&, at = std::size_t{0}]() mutable {
     ++asked;
@@ -105,7 +95,7 @@ TEST(KeptPath, OfALongOneItKeepsEveryNth) {
 }
 
 TEST(KeptPath, BoundsTheResultsPath) {
-  const std::string log = streamed_log("corridor");
+  const std::string log = bundled_log("corridor");
   ReplayOptions options;
   const auto whole = replay(log, "corridor", options).result;
   options.most_poses = 100;
@@ -181,7 +171,7 @@ TEST(PassWatch, ForgetsWhatIsInTheMapNoMore) {
 
 // A dip of the power at the end: the robot begins anew, and then nothing.
 TEST(Runs, WhatFollowsTheLastStepIsInTheOwnLogToo) {
-  const std::string log = streamed_log("approach_stop");
+  const std::string log = bundled_log("approach_stop");
   const std::size_t begin = log.find('\n', log.find("$FPCAM")) + 1;
   const std::string dip = log + log.substr(0, begin);
   std::string own;
@@ -196,8 +186,8 @@ TEST(Runs, WhatFollowsTheLastStepIsInTheOwnLogToo) {
 }
 
 TEST(Runs, EachCanBeAskedFor) {
-  const std::string a = streamed_log("approach_stop");
-  const std::string b = streamed_log("corridor");
+  const std::string a = bundled_log("approach_stop");
+  const std::string b = bundled_log("corridor");
   ReplayOptions options;
   const auto of = [&](std::uint32_t run) {
     options.run = run;

@@ -1,7 +1,6 @@
 // The bundled blocks world, from rendered pixels to measured models.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iterator>
 #include <set>
 
@@ -9,18 +8,13 @@
 #include "host/scene/load.hpp"
 #include "host/segment/setup_file.hpp"
 #include "host/simulate/truth.hpp"
+#include "tests/host/contents.hpp"
 #include "tests/host/segment/pictures.hpp"
 
 namespace fencepost::host {
 namespace {
 
 const std::string kBlocks = FENCEPOST_SOURCE_DIR "/host/share/blocks/";
-
-std::string slurped(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 Scene blocks_scene() {
   const LoadedScene scene = load_scene(kBlocks + "blocks_16.json");
@@ -29,9 +23,9 @@ Scene blocks_scene() {
 }
 
 Segmented segmented_blocks(bool given) {
-  const PosesTable poses = parse_poses(slurped(kBlocks + "blocks_16/poses.csv"), "poses.csv");
+  const PosesTable poses = parse_poses(test::contents(kBlocks + "blocks_16/poses.csv"), "poses.csv");
   SegmentOptions options;
-  if (given) options.classes.signatures = parse_signatures(slurped(kBlocks + "blocks_16.json"), "scene");
+  if (given) options.classes.signatures = parse_signatures(test::contents(kBlocks + "blocks_16.json"), "scene");
   const ImageList list = list_images({kBlocks + "blocks_16"}, poses);
   EXPECT_EQ(list.without_pose, 0U);
   const SegmentResult result = segment(list.views, blocks_scene().camera, options);

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "host/scene/load.hpp"
+#include "tests/host/contents.hpp"
 #include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
@@ -15,11 +16,6 @@ namespace fs = std::filesystem;
 
 const fs::path kFolder = fs::path(FENCEPOST_SOURCE_DIR) / "host/share/recordings";
 
-std::string read_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(Recordings, AreTheSimulatorsBytes) {
   int compared = 0;
   for (const auto& entry : fs::directory_iterator(kFolder)) {
@@ -27,7 +23,7 @@ TEST(Recordings, AreTheSimulatorsBytes) {
     const LoadedScene scene = load_scene(entry.path().string());
     ASSERT_TRUE(scene.ok()) << scene.error().message();
     const Simulated simulated = run(*scene);
-    const std::string committed = read_file(fs::path(entry.path()).replace_extension(".log"));
+    const std::string committed = test::contents(fs::path(entry.path()).replace_extension(".log"));
     if (committed != simulated.log.text) {
       const fs::path fresh = fs::path(testing::TempDir()) / entry.path().stem().concat(".log");
       std::ofstream(fresh, std::ios::binary) << simulated.log.text;

@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "host/result/to_json.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::host {
 namespace {
 
 constexpr double kEnd = 1e9;
-
-std::string bundled(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
 
 // Until all is used, as the page does.
 void feed_all(PageReplay& page, std::string_view log) {
@@ -27,7 +18,7 @@ void feed_all(PageReplay& page, std::string_view log) {
 }
 
 TEST(PageReplay, StopsAtATimeAndGoesOn) {
-  const std::string log = bundled("approach_stop");
+  const std::string log = test::bundled_log("approach_stop");
   PageReplay page("");
   std::size_t used = page.feed(log, kEnd);  // to the begin of its run
   EXPECT_EQ(page.log().runs(), 1U);
@@ -42,7 +33,7 @@ TEST(PageReplay, StopsAtATimeAndGoesOn) {
 
 TEST(PageReplay, HasTheLatestFrameWithItsObjects) {
   PageReplay page("");
-  feed_all(page, bundled("approach_stop"));
+  feed_all(page, test::bundled_log("approach_stop"));
   const auto json = nlohmann::json::parse(page.page());
   const auto& frame = json.at("frame");
   EXPECT_EQ(frame.at("number"), 108);

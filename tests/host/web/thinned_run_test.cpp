@@ -4,24 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "host/text/gunzip.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::host {
 namespace {
 
 using nlohmann::json;
-
-std::string recording_of(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name + ".log", std::ios::binary);
-  EXPECT_TRUE(file) << name;
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
 
 class AllAlerts final : public AlertSink {
  public:
@@ -49,7 +40,7 @@ struct Thinned {
 json kept_in(const ThinnedText& text) { return json::parse(gunzip(text.packed).value_or("")); }
 
 TEST(ThinnedRun, EndsAsTheLogDoes) {
-  const std::string log = recording_of("wro_lap");
+  const std::string log = test::bundled_log("wro_lap");
   const Thinned thinned(log);
   const json kept = kept_in(thinned.text(10'000'000));
   const json whole = json::parse(to_json(replay(log, "log", {}).result));
@@ -60,7 +51,7 @@ TEST(ThinnedRun, EndsAsTheLogDoes) {
 }
 
 TEST(ThinnedRun, LooksAreWhatALogThatEndsThereHas) {
-  const std::string log = recording_of("wro_lap");
+  const std::string log = test::bundled_log("wro_lap");
   const json kept = kept_in(Thinned(log).text(10'000'000));
   const json& looks = kept["looks"];
   ASSERT_GT(looks.size(), 30U);
@@ -85,7 +76,7 @@ TEST(ThinnedRun, LooksAreWhatALogThatEndsThereHas) {
 
 // A stop is looked at when it begins.
 TEST(ThinnedRun, LooksWhereItStops) {
-  const Thinned thinned(recording_of("approach_stop"));
+  const Thinned thinned(test::bundled_log("approach_stop"));
   const json kept = kept_in(thinned.text(10'000'000));
   std::size_t stops = 0;
   for (const record::AlertReport& alert : thinned.alerts.all) {
@@ -100,7 +91,7 @@ TEST(ThinnedRun, LooksWhereItStops) {
 }
 
 TEST(ThinnedRun, IsAsSmallAsAskedAndSaysWhatItHas) {
-  const Thinned thinned(recording_of("wro_lap"));
+  const Thinned thinned(test::bundled_log("wro_lap"));
   std::size_t before = 0;
   for (const std::size_t most : {12'000U, 40'000U, 100'000U}) {
     const ThinnedText text = thinned.text(most);
@@ -116,8 +107,8 @@ TEST(ThinnedRun, IsAsSmallAsAskedAndSaysWhatItHas) {
 }
 
 TEST(ThinnedRun, OfSeveralRunsShowsTheLast) {
-  const std::string log = recording_of("approach_stop");
-  const Thinned twice(recording_of("corridor") + log);
+  const std::string log = test::bundled_log("approach_stop");
+  const Thinned twice(test::bundled_log("corridor") + log);
   const Thinned once(log);
   EXPECT_EQ(kept_in(twice.text(10'000'000))["looks"].size(), kept_in(once.text(10'000'000))["looks"].size());
   EXPECT_EQ(kept_in(twice.text(10'000'000))["alerts"], kept_in(once.text(10'000'000))["alerts"]);

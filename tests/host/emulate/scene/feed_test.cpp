@@ -7,13 +7,13 @@
 
 #include "host/scene/load.hpp"
 #include "host/simulate/simulate.hpp"
+#include "tests/host/contents.hpp"
 
 namespace fencepost::emulate {
 namespace {
 
 std::string recording(const std::string& name) {
-  std::ifstream file(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return test::contents(FENCEPOST_SOURCE_DIR "/host/share/recordings/" + name);
 }
 
 TEST(Feed, OfASceneIsThatOfItsLog) {
