@@ -40,12 +40,6 @@ TEST(CanWheels, CountsInOneFrame) {
   EXPECT_EQ(wheels.link(at(40)), LinkState::kOk);
 }
 
-TEST(CanWheels, CountsWrapAtTheirSize) {
-  Wheels wheels(both_in_one());
-  (void)wheels.take(pair(32'765, 32'765), at(20));
-  EXPECT_EQ(wheels.take(pair(-32'766, -32'766), at(40))->x.raw, 50);
-}
-
 TEST(CanWheels, ARestartIsNoWayASilenceIs) {
   Wheels wheels(both_in_one());
   (void)wheels.take(pair(300, 300), at(0));

@@ -56,20 +56,6 @@ TEST_P(EveryCmuCam, FindsBothColoursWithinThreeSecondsOfItsStart) {
   EXPECT_EQ(rig.driver.session().counts().resets, 1U);
 }
 
-TEST_P(EveryCmuCam, ComesBackAfterAPowerCycle) {
-  Config config = two_windows(*GetParam().dialect);
-  config.raw = GetParam().raw;
-  Rig rig(config, GetParam().model);
-  rig.scene = red_and_blue();
-  ASSERT_FALSE(rig.run(seconds(3)).empty());
-  rig.switch_off();
-  EXPECT_LE(rig.run(seconds(4)).size(), 1U);
-  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
-  rig.switch_on();
-  EXPECT_GE(rig.run(seconds(5)).size(), 8U);
-  EXPECT_EQ(rig.driver.link(), LinkState::kOk);
-}
-
 // So short that no time-out notices: the version text at power-up does.
 TEST_P(EveryCmuCam, ComesBackAfterAGlitch) {
   Config config = two_windows(*GetParam().dialect);
@@ -92,18 +78,6 @@ INSTANTIATE_TEST_SUITE_P(All, EveryCmuCam,
                                          Member{CmuCamModel::kThree, &kCmuCam3, false, "CMUcam2 v1.00 c6"},
                                          Member{CmuCamModel::kThree, &kCmuCam3High, true, "CMUcam2 v1.00 c6"},
                                          Member{CmuCamModel::kFour, &kCmuCam4, true, "CMUcam4 v1.02"}));
-
-// One reset, though the first command goes into the start, and no other while it starts.
-TEST(CmuCamSession, ACmucam4sStartIsWaitedFor) {
-  Rig rig(two_windows(kCmuCam4), CmuCamModel::kFour);
-  rig.scene = red_and_blue();
-  (void)rig.run(base::milliseconds(2'240));
-  EXPECT_EQ(rig.driver.link(), LinkState::kUnready) << "it greeted us";
-  EXPECT_FALSE(rig.device.starting()) << "and is not sent back to its start";
-  EXPECT_GE(rig.run(seconds(2)).size(), 8U);
-  EXPECT_EQ(rig.driver.session().counts().resets, 1U);
-  EXPECT_EQ(rig.driver.session().counts().unanswered, 0U);
-}
 
 /// The TC that a camera of that kind is sent, by one that agrees to everything.
 std::string window_sent(const Dialect& dialect, const ColourWindow& window) {

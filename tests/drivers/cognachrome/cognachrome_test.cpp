@@ -68,19 +68,6 @@ TEST(Cognachrome, ReadsWhatTeamBotsReads) {
   EXPECT_EQ(listener.decoder.counts().broken, 1U) << "255 by 255 pixels are more than there are";
 }
 
-// In the frame's number, behind the mark.
-TEST(Cognachrome, OnlyHexDigitsAreDigits) {
-  for (unsigned byte = 0; byte < 256; ++byte) {
-    const bool digit = (byte >= '0' && byte <= '9') || (byte >= 'A' && byte <= 'F') || (byte >= 'a' && byte <= 'f');
-    if (byte == '$') continue;
-    Listener listener(kHex);
-    Bytes bytes = text("$1x$");
-    bytes[2] = static_cast<std::uint8_t>(byte);
-    EXPECT_EQ(listener.hears(bytes).size(), digit ? 1U : 0U) << byte;
-    EXPECT_EQ(listener.decoder.counts().broken, digit ? 0U : 1U) << byte;
-  }
-}
-
 TEST(Cognachrome, HexDigitsHaveTheirValues) {
   Listener listener(kHex);
   // Columns 9, 10, 15 by both cases, and roots of one pixel.

@@ -409,23 +409,27 @@ TEST(CreateSession, ACreate1IsAskedForAReadingWhenItIsDue) {
   EXPECT_EQ(times, (std::vector<std::int64_t>{1'100, 1'200, 1'300, 1'400}));
 }
 
+/// Hears a reading of a Create 1: the distance since the one before, mm, and the speed that is requested of both
+/// wheels, mm/s.
+void hear_reading(Session& session, int distance, std::uint8_t requested, std::int64_t t) {
+  std::vector<std::uint8_t> bytes = test::hex("13 0C 13 00 00 14 00 00 2A 00 00 29 00 00");
+  bytes[3] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) >> 8U & 0xFFU);
+  bytes[4] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) & 0xFFU);
+  bytes[10] = bytes[13] = requested;
+  unsigned sum = 0;
+  for (const std::uint8_t byte : bytes) sum += byte;
+  bytes.push_back(static_cast<std::uint8_t>(0x100U - (sum & 0xFFU)));
+  for (const std::uint8_t byte : bytes) (void)session.take(byte, {t});
+}
+
 // The motion predicted before an impossible reading is kept; the next one begins there.
 TEST(CreateSession, AnImpossibleReadingIsPassedOver) {
   Session session(create1());
-  const auto hear = [&](int distance, std::int64_t t) {
-    std::vector<std::uint8_t> bytes = test::hex("13 0C 13 00 00 14 00 00 2A 00 64 29 00 64");
-    bytes[3] = static_cast<std::uint8_t>(distance >> 8);
-    bytes[4] = static_cast<std::uint8_t>(distance & 0xFF);
-    unsigned sum = 0;
-    for (const std::uint8_t byte : bytes) sum += byte;
-    bytes.push_back(static_cast<std::uint8_t>(0x100U - (sum & 0xFFU)));
-    for (const std::uint8_t byte : bytes) (void)session.take(byte, {t});
-  };
-  hear(0, 1'000);
-  hear(500, 2'000);
+  hear_reading(session, 0, 100, 1'000);
+  hear_reading(session, 500, 100, 2'000);
   EXPECT_EQ(session.counts().impossible, 1U);
   EXPECT_EQ(session.sample().x.raw, 100) << "0.1 s at 100 mm/s";
-  hear(10, 3'000);
+  hear_reading(session, 10, 100, 3'000);
   EXPECT_EQ(session.sample().x.raw, 200);
   EXPECT_EQ(session.requested().surprises(), 0U);
 }
@@ -450,18 +454,9 @@ TEST(CreateSession, ACreate1sReadingIsNoFurtherThanItsWheelsCanTurn) {
   for (const int sign : {1, -1}) {
     for (const auto& [mm, impossible] : {std::pair(601, 0U), {602, 1U}}) {
       Session session(create1());
-      const auto hear = [&](int distance, std::int64_t t) {
-        std::vector<std::uint8_t> bytes = test::hex("13 0C 13 00 00 14 00 00 2A 00 00 29 00 00");
-        bytes[3] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) >> 8U & 0xFFU);
-        bytes[4] = static_cast<std::uint8_t>(static_cast<unsigned>(distance) & 0xFFU);
-        unsigned sum = 0;
-        for (const std::uint8_t byte : bytes) sum += byte;
-        bytes.push_back(static_cast<std::uint8_t>(0x100U - (sum & 0xFFU)));
-        for (const std::uint8_t byte : bytes) (void)session.take(byte, {t});
-      };
-      hear(5'000, 1'000);
+      hear_reading(session, 5'000, 0, 1'000);
       EXPECT_EQ(session.sample().x.raw, 0) << "the first one covers an unknown time";
-      hear(sign * mm, 10'000);
+      hear_reading(session, sign * mm, 0, 10'000);
       EXPECT_EQ(session.counts().impossible, impossible) << sign * mm;
       EXPECT_EQ(session.sample().x.raw, impossible == 0 ? sign * (10 * mm + 5) : 0) << sign * mm;
     }

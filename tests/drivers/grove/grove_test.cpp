@@ -138,19 +138,6 @@ TEST(GroveDecoder, WhatIsNoResultWithBoxesIsNoFrame) {
   }
 }
 
-TEST(GroveDecoder, CutAtAnyByteItIsNoMessageAndCostsNoLaterOne) {
-  const std::string whole = boxes("[87, 83, 77, 65, 70, 0]");
-  for (std::size_t cut = 2; cut + 1 < whole.size(); ++cut) {
-    Reading reading;
-    reading.bytes(std::string_view(whole).substr(0, cut)).bytes(whole);
-    EXPECT_EQ(reading.frames.size(), 1U) << cut;
-    EXPECT_EQ(reading.decoder.counts().damaged, 1U) << cut;
-    Reading without;
-    without.bytes(whole.substr(0, cut) + whole.substr(cut + 1));
-    EXPECT_LE(without.frames.size(), 1U) << cut;
-  }
-}
-
 TEST(GroveDecoder, WhatIsNoJsonIsRefused) {
   for (const std::string bad :
        {"{\"type\"; 1}", "{type: 1}", "{\"type\": }", "{\"type\": 1]", "{\"type\": [1}}", "{\"type\": -}",
@@ -320,14 +307,6 @@ TEST(GroveCamera, OnI2cWhatIsNotThereIsSilent) {
   }
   EXPECT_EQ(driver.link(), LinkState::kSilent);
   EXPECT_LT(bus.transfers(), 700U) << "with rests between";
-}
-
-TEST(GroveCamera, NominalCalibration) {
-  EXPECT_EQ(kProfile.model.view(), "grove");
-  EXPECT_EQ(kProfile.width, 240);
-  EXPECT_EQ(kProfile.fx.raw, 19'971) << "120 / tan 31 deg";
-  EXPECT_EQ(kProfile.cx.raw, 11'950);
-  EXPECT_EQ(kProfile.latency, base::milliseconds(100));
 }
 
 }  // namespace

@@ -168,8 +168,7 @@ TEST(HuskyLens, TellsWhyItSeesNothing) {
   EXPECT_EQ(busy.asks(), kAskBlocks);
 }
 
-// Five answers that do not come, 100 ms each: it knocks again.
-// What is damaged is not waited for; 20 ms later it asks again.
+// A damaged answer is not waited for; 20 ms later it asks again.
 TEST(HuskyLens, ADamagedAnswerIsAskedForAgain) {
   Talk talk;
   talk.start();
@@ -232,6 +231,7 @@ TEST(HuskyLens, WhatItsFirstBytesAre) {
   EXPECT_EQ(examine(kOk).size, kOk.size());
 }
 
+// Five answers that do not come, 100 ms each: it knocks again.
 TEST(HuskyLens, BeginsAnewAfterFiveLostAnswers) {
   Talk talk;
   talk.start();
@@ -306,15 +306,6 @@ TEST(HuskyLens2, AHuskyLens1IsFoundWhereItWasNamed) {
   const auto frames = talk.hears(kInfo8 + kBlock);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(frames[0].blobs[0], (sensor::Blob{1, 260, 200, 379, 279, {3'195}, {2'395}, 0, {}}));
-}
-
-TEST(HuskyLens2, AnotherAlgorithmIsUnready) {
-  Talk talk{Session{Options{.generation = Generation::kTwo}}};
-  ASSERT_EQ(start_two(talk).size(), 1U);
-  talk.wait(30);
-  EXPECT_EQ(talk.asks(), kAskBlocks2);
-  talk.hears(kRefused2);
-  EXPECT_EQ(talk.session.link(), LinkState::kUnready);
 }
 
 // It was switched off and on while the loop was busy, and remembers none of its settings.
@@ -428,17 +419,6 @@ TEST(HuskyLens, SeesOverI2cWhatItSeesOverSerial) {
   }
   EXPECT_GT(frames, 30U) << "of two seconds";
   EXPECT_LE(bus.longest_read(), 16U);
-}
-
-TEST(HuskyLens, BoxesAboveAndBelowTheImageAreNone) {
-  EXPECT_EQ(blob_of(hex("A0 00 2C 01 0A 00 0A 00 01 00")), std::nullopt) << "around (160, 300)";
-  EXPECT_EQ(blob_of(hex("A0 00 9C FF 0A 00 0A 00 01 00")), std::nullopt) << "around (160, -100)";
-}
-
-TEST(HuskyLens, AnUnknownAnswerMeansNothing) {
-  const Bytes unknown = hex("55 AA 11 00 99 A9");
-  EXPECT_EQ(message_of(unknown).kind, Kind::kOther);
-  EXPECT_TRUE(message_of(unknown).data.empty());
 }
 
 }  // namespace

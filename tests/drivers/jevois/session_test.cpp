@@ -82,17 +82,5 @@ TEST(JevoisSession, WaitsHalfASecondEachTime) {
   EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
-TEST(JevoisSession, TalkWithoutFramesIsUnready) {
-  Session session{Config{}};
-  session.step({0});
-  for (const char c : std::string("OK\r\nN2 blob2 0 0 10 10\r\n")) {
-    EXPECT_FALSE(session.take(static_cast<std::uint8_t>(c), {1'000}));
-  }
-  session.step({2'000});
-  EXPECT_EQ(session.link(), LinkState::kUnready);
-  session.step({9'000});
-  EXPECT_EQ(session.link(), LinkState::kSilent);
-}
-
 }  // namespace
 }  // namespace fencepost::jevois

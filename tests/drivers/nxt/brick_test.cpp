@@ -46,28 +46,6 @@ TEST(NxtBrick, AFullLinkIsNoLostOne) {
 
 using Bench = test::Bench<test::NxtBrickRig<test::UsbBrick>>;
 
-TEST(NxtBrick, LinkStates) {
-  Bench bench;
-  bench.run(2'000);
-  EXPECT_EQ(bench.brick.link(), LinkState::kSilent);
-  bench.run(2'000);
-  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
-  bench.link.unplug();
-  bench.run(5);
-  EXPECT_EQ(bench.brick.link(), LinkState::kAbsent);
-  bench.link.replug();
-  bench.run(1'000);
-  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
-  bench.device.restart(bench.clock.now());
-  // The next keep-alive, at most 5 s on, finds out: 200 ms for it and three times for the version.
-  bench.run(2'990);
-  bench.device.restart(bench.clock.now());
-  bench.run(2'990);
-  EXPECT_EQ(bench.brick.link(), LinkState::kSilent);
-  bench.run(1'000);
-  EXPECT_EQ(bench.brick.link(), LinkState::kOk);
-}
-
 TEST(NxtBrick, StaysAwake) {
   Bench bench;
   bench.device.set_sleep_time(base::milliseconds(120'000));

@@ -146,29 +146,6 @@ TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
   EXPECT_EQ(bench.conversation.sessions(), 2U);
 }
 
-TEST(NxtConversation, UnpluggedIsAbsent) {
-  TalkBench bench;
-  bench.greet();
-  EXPECT_TRUE(bench.ask(sensor_status(0)));
-  bench.conversation.lose_link(bench.now);
-  EXPECT_EQ(bench.conversation.link(), LinkState::kAbsent);
-  EXPECT_EQ(bench.exchange.state, State::kFailed);
-  EXPECT_EQ(bench.next(), hex("01 88"));
-  bench.conversation.find_link();
-  EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
-}
-
-TEST(NxtConversation, TooManyAskersAreRefused) {
-  TalkBench bench;
-  std::array<Exchange, Conversation::kAskers + 3> many;
-  std::size_t taken = 0;
-  for (Exchange& exchange : many) {
-    exchange.request = sensor_status(0);
-    taken += bench.conversation.submit(exchange) ? 1U : 0U;
-  }
-  EXPECT_EQ(taken, Conversation::kAskers + 2);
-}
-
 // Before it was asked: it answers somebody else.
 TEST(NxtConversation, AReplyToWhatWasNotAskedYetIsUnmatched) {
   TalkBench bench;

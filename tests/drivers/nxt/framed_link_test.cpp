@@ -104,17 +104,5 @@ TEST(NxtFramedLink, NoiseDoesNotHoldItUp) {
   EXPECT_EQ(framed.receive(in).value(), 7U);
 }
 
-struct EmptyReads {
-  static base::Result<std::size_t> read(std::span<std::uint8_t> /*in*/) { return std::size_t{0}; }
-  static base::Result<std::size_t> write(std::span<const std::uint8_t> out) { return out.size(); }
-};
-
-TEST(NxtFramedLink, AReadOfNothingIsNotReady) {
-  EmptyReads link;
-  FramedLink<EmptyReads> framed(link);
-  std::array<std::uint8_t, 64> in{};
-  EXPECT_EQ(framed.receive(in).error(), Error::kNotReady);
-}
-
 }  // namespace
 }  // namespace fencepost::nxt

@@ -65,23 +65,5 @@ TEST(NxtTelegram, RepliesMatchByOpcodeAndPort) {
   EXPECT_TRUE(answers(*reply_in(hex("02 06 C0")), get_output_state(7)));
 }
 
-// The brick claims more bytes than the telegram has room for.
-TEST(NxtTelegram, SensorBytesAreAtMostSixteen) {
-  const auto bytes = hex("02 10 00 FF 02 02 3C 28 50 46 05 64 64 78 82 00 00 00 00 00");
-  EXPECT_EQ(sensor_bytes_of(*reply_in(bytes)).size(), 16U);
-}
-
-TEST(NxtTelegram, NothingAnswersAnEmptyRequest) {
-  EXPECT_FALSE(answers(*reply_in(hex("02 0D 00 C0 27 09 00")), Telegram{}));
-}
-
-TEST(NxtTelegram, VersionsDifferInEachNumber) {
-  constexpr Version kOne{1, 124, 1, 29};
-  EXPECT_NE(kOne, (Version{2, 124, 1, 29}));
-  EXPECT_NE(kOne, (Version{1, 125, 1, 29}));
-  EXPECT_NE(kOne, (Version{1, 124, 2, 29}));
-  EXPECT_NE(kOne, (Version{1, 124, 1, 30}));
-}
-
 }  // namespace
 }  // namespace fencepost::nxt

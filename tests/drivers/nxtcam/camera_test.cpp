@@ -128,25 +128,6 @@ TEST(NxtCamera, AMissingBusIsAbsentAtOnce) {
   EXPECT_EQ(session.counters().restarts, 1U);
 }
 
-TEST(NxtCamera, LinkStates) {
-  Bench bench;
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-  bench.run(900, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kSilent);
-  bench.run(900, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
-  bench.run(2'000, {});
-  EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
-  bench.run(100, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-  bench.link.unplug();
-  bench.run(60, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kAbsent);
-  bench.link.replug();
-  bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
 TEST(NxtCamera, NothingTaughtIsUnreadyUntilTaught) {
   Bench bench;
   bench.device.teach(0);

@@ -28,17 +28,6 @@ TEST(SerialNxtCamera, StartsAndTracks) {
   EXPECT_EQ(bench.driver.link(), LinkState::kEmpty);
 }
 
-TEST(SerialNxtCamera, AcknowledgingWithoutTrackingIsUnready) {
-  SerialBench bench;
-  bench.exposing = false;
-  bench.run(3'000, {kSerialRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
-  EXPECT_TRUE(bench.frames.empty());
-  bench.exposing = true;
-  bench.run(200, {kSerialRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
 // Frames held back by a stalled line come bunched together: only the first of them counts, in order of time.
 TEST(SerialNxtCamera, FramesHeldUpInOneHeapAreDropped) {
   SerialBench bench;

@@ -58,13 +58,6 @@ TEST(AvrCam, AnswersAreLines) {
   EXPECT_FALSE(tracking_in(messages[0]));
 }
 
-// 0A and FF among the data are data.
-TEST(AvrCam, MarksInsideAreData) {
-  const Messages messages = avrcam(hex("0A 01 00 0A 0A 0C 0C FF 0A 00 FF"));
-  ASSERT_EQ(messages.size(), 2U);
-  EXPECT_EQ(tracking_in(messages[0])->blobs[0].x1, 10);
-}
-
 TEST(AvrCam, WhatItsFirstBytesAre) {
   const auto front = [](const std::vector<std::uint8_t>& bytes) { return examine_avrcam(bytes); };
   EXPECT_EQ(front(hex("0A")).front, wire::Front::kIncomplete);
@@ -148,13 +141,6 @@ TEST(NxtCamV5, BoxesAtTheEdges) {
   const auto whole = v5_blob_in(hex("55 AA 07 04 11 00 02 00 00 F0 A0 00"));
   ASSERT_TRUE(whole);
   EXPECT_EQ(whole->blob, (sensor::Blob{2, 0, 0, 239, 159, {1'195}, {795}, 0, {}}));
-}
-
-TEST(AvrCam, WhatIsNoMessageHasNoMeaning) {
-  EXPECT_FALSE(tracking_in({}));
-  EXPECT_FALSE(tracking_in(hex("0A 01 08 00 00 0A 0A FF"))) << "there is no colour 8";
-  EXPECT_EQ(line_in({}), "");
-  EXPECT_EQ(line_in(hex("0D")), "");
 }
 
 TEST(NxtCamV5, ABoxUpsideDownIsNone) {

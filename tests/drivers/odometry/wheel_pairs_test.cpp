@@ -25,17 +25,6 @@ TEST(WheelPairs, LeftIsInterpolatedAtTheTimeOfRight) {
   EXPECT_EQ(sample->heading.raw, 0);
 }
 
-TEST(WheelPairs, OverTheWrap) {
-  WheelPairs pairs(kWheels);
-  (void)pairs.take_left(65'530, at(0));
-  pairs.take_right(65'535, at(5));
-  (void)pairs.take_left(4, at(10));
-  pairs.take_right(9, at(15));
-  const auto sample = pairs.take_left(14, at(20));
-  EXPECT_EQ(sample->x.raw, 100);
-  EXPECT_EQ(sample->heading.raw, 0);
-}
-
 TEST(WheelPairs, SilenceMakesNoPair) {
   WheelPairs pairs(kWheels);
   (void)pairs.take_left(0, at(0));
@@ -80,12 +69,6 @@ TEST(WheelPairs, LeftIsInterpolatedToTheNearestCount) {
   sample = pairs.take_left(35, at(40));  // 2.5 counts back, which are 3
   ASSERT_TRUE(sample);
   EXPECT_EQ(sample->x.raw, 200 - 15);
-}
-
-TEST(WheelPairs, BothAtOnce) {
-  WheelPairs pairs(kWheels);
-  (void)pairs.take_both(0, 0, at(0));
-  EXPECT_EQ(pairs.take_both(10, 10, at(100)).x.raw, 100);
 }
 
 }  // namespace

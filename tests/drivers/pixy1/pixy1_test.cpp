@@ -89,16 +89,6 @@ TEST(Pixy1, AColourCodesSignatureIsItsOctalNumber) {
   EXPECT_EQ(listener.session.dropped(), 1U);
 }
 
-TEST(Pixy1, ASignatureIsAByteAndNotZero) {
-  const auto seen = [](const char* signature) {
-    return blob_of(hex(std::string("55 AA 00 00 ") + signature + " A0 00 64 00 28 00 1E 00"));
-  };
-  EXPECT_FALSE(seen("00 00"));
-  ASSERT_TRUE(seen("FF 00"));
-  EXPECT_EQ(seen("FF 00")->signature, 255);
-  EXPECT_FALSE(seen("00 01")) << "256, and no 0";
-}
-
 TEST(Pixy1, BoxesAtTheEdges) {
   const auto box = [](const char* text) { return blob_of(hex(text)); };
   // 320 x 199 around (160, 99): the whole image.
@@ -252,30 +242,6 @@ TEST(Pixy1, ZerosAloneAreAnImageWithoutBlocks) {
   EXPECT_EQ(listener.session.link(), LinkState::kEmpty);
 }
 
-TEST(Pixy1, ZerosBetweenDamagedImagesAreNoEmptyImage) {
-  Listener listener;
-  Bytes lost = kOne;
-  for (int image = 0; image < 50; ++image) {
-    EXPECT_TRUE(listener.hears(kIdle + kOne).empty()) << "without its mark";
-    EXPECT_TRUE(listener.hears(kIdle + hex("57 AA") + kOne).empty()) << "with a damaged one";
-    listener.wait(5);
-  }
-  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
-}
-
-TEST(Pixy1, TellsSilenceFromAnotherLanguage) {
-  Listener listener;
-  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
-  EXPECT_TRUE(listener.hears(hex("AF C1 21 0E 6D 01 FF 80 3C 7F")).empty());
-  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
-  listener.wait(501);
-  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
-  listener.hears(kMark + kOne + kIdle);
-  EXPECT_EQ(listener.session.link(), LinkState::kOk);
-  listener.wait(501);
-  EXPECT_EQ(listener.session.link(), LinkState::kSilent);
-}
-
 using Bench = test::Bench<test::Pixy1Rig>;
 const sensor::Blob kNear{1, 100, 60, 219, 159, {1'595}, {1'095}, 0, {}};
 const sensor::Blob kFar{2, 10, 20, 29, 39, {195}, {295}, 0, {}};
@@ -318,19 +284,6 @@ TEST(Pixy1Camera, SeesOverI2cWhatItSeesOverSerial) {
   }
   EXPECT_EQ(driver.link(), LinkState::kEmpty);
 }
-
-TEST(Pixy1, NoiseWithoutImagesIsSoonNotReady) {
-  Listener listener;
-  listener.hears(kMark + kOne + kIdle);
-  EXPECT_EQ(listener.session.link(), LinkState::kOk);
-  for (int i = 0; i < 9; ++i) {
-    listener.hears(hex("FF"));
-    listener.wait(60);
-  }
-  EXPECT_EQ(listener.session.link(), LinkState::kUnready);
-}
-
-TEST(Pixy1, ABlockWithoutColumnsIsNone) { EXPECT_FALSE(blob_of(hex("55 AA 00 00 01 00 A0 00 64 00 00 00 1E 00"))); }
 
 }  // namespace
 }  // namespace fencepost::pixy1

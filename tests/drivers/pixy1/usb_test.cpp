@@ -140,13 +140,6 @@ TEST(Pixy1Usb, WaitsForAnAnswerAndForAnImage) {
   EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
-// 2^31 words would be no bytes at all.
-TEST(Pixy1Usb, ACountThatOverflowsIsNone) {
-  Bytes message = hex(kPushed2);
-  for (const std::size_t at : {32U, 33U, 34U, 35U}) message[at] = at == 35 ? 0x80 : 0;
-  EXPECT_FALSE(blocks_in(message));
-}
-
 TEST(Pixy1Usb, IntroducesItselfAndHasItRun) {
   UsbSession session{Options{}};
   base::Time now{};

@@ -124,13 +124,6 @@ TEST(Pixy2Camera, FirstByteStampsTheFrame) {
   EXPECT_EQ((bench.clock.now() - bench.frames[0].t), base::milliseconds(16));
 }
 
-TEST(Pixy2Camera, AnotherProgramIsChanged) {
-  Bench bench;
-  bench.device.set_default_program("line_tracking");
-  bench.run(3'000, {kRed});
-  EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
 TEST(Pixy2Camera, AnotherProgramLeftAloneIsUnready) {
   Bench bench;
   bench.device.set_default_program("line_tracking");
@@ -143,16 +136,6 @@ TEST(Pixy2Camera, AnotherProgramLeftAloneIsUnready) {
   EXPECT_GT(camera.session().counters().restarts, 0U);
 }
 
-TEST(Pixy2Camera, NoSignatureAskedForIsUnready) {
-  Bench bench;
-  Camera<Link> camera(bench.link, {.signatures = 0});
-  for (int ms = 0; ms < 3'000; ++ms) {
-    bench.clock.advance(base::milliseconds(1));
-    EXPECT_FALSE(camera.poll(bench.clock.now()));
-  }
-  EXPECT_EQ(camera.link(), LinkState::kUnready);
-}
-
 TEST(Pixy2Camera, TheButtonIsUnreadyUntilLetGo) {
   Bench bench;
   bench.run(3'000, {kRed});
@@ -162,16 +145,6 @@ TEST(Pixy2Camera, TheButtonIsUnreadyUntilLetGo) {
   bench.device.hold_button(false);
   bench.run(300, {kRed});
   EXPECT_EQ(bench.driver.link(), LinkState::kOk);
-}
-
-TEST(Pixy2Camera, AFrozenSensorIsUnready) {
-  Bench bench;
-  bench.run(3'000, {kRed});
-  for (int ms = 0; ms < 1'200; ++ms) {
-    bench.clock.advance(base::milliseconds(1));
-    (void)bench.driver.poll(bench.clock.now());
-  }
-  EXPECT_EQ(bench.driver.link(), LinkState::kUnready);
 }
 
 }  // namespace

@@ -96,18 +96,6 @@ TEST(Pixy2Packets, BlocksBecomeInclusiveBoxes) {
   EXPECT_TRUE(blocks_in(packet_of(hex(kNoBlocks)))->frame.blobs.empty());
 }
 
-// Odd sizes: edges 10 and 15, centre (10+15)>>1 = 12, width 5.
-TEST(Pixy2Packets, OddSizesAreExact) {
-  const auto blocks = blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 0C 00 0C 00 05 00 05 00 00 00 00 00")));
-  ASSERT_TRUE(blocks);
-  EXPECT_EQ(blocks->frame.blobs[0].x1, 10);
-  EXPECT_EQ(blocks->frame.blobs[0].x2, 14);
-  EXPECT_EQ(blocks->frame.blobs[0].y1, 10);
-  EXPECT_EQ(blocks->frame.blobs[0].y2, 15);
-  EXPECT_EQ(blocks->frame.blobs[0].cx.raw, 120);
-  EXPECT_EQ(blocks->frame.blobs[0].cy.raw, 125);
-}
-
 TEST(Pixy2Packets, ColourCodesKeepTheirOctalNumber) {
   const auto blocks = blocks_in(packet_of(hex(kColourCode)));
   ASSERT_TRUE(blocks);
@@ -116,16 +104,6 @@ TEST(Pixy2Packets, ColourCodesKeepTheirOctalNumber) {
   ASSERT_TRUE(large);
   EXPECT_TRUE(large->frame.blobs.empty());
   EXPECT_EQ(large->dropped, 1U);
-}
-
-TEST(Pixy2Packets, BoxesOutsideOfTheImageRejectTheirPacket) {
-  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 0A 00 50 00 16 00 14 00 00 00 00 00"))));  // x1 = -1
-  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 3B 01 50 00 04 00 14 00 00 00 00 00"))));  // x2 = 316
-  EXPECT_TRUE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 3A 01 50 00 04 00 14 00 00 00 00 00"))));   // x2 = 315
-  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 9E 00 CE 00 28 00 04 00 00 00 00 00"))));  // y2 = 208
-  EXPECT_FALSE(blocks_in(packet_of(hex("AF C1 21 0E 00 00 01 00 9E 00 50 00 00 00 14 00 00 00 00 00"))));  // no width
-  EXPECT_FALSE(
-      blocks_in(packet_of(hex("AF C1 21 0E 00 00 00 00 9E 00 68 00 28 00 1E 00 00 00 07 19"))));  // no signature
 }
 
 TEST(Pixy2Packets, EighteenBlocksAreSixteenLargestAndTwoDropped) {
@@ -243,23 +221,6 @@ TEST(Pixy2Packets, PaddingComesFirst) {
   EXPECT_EQ(bytes[0], 0x01);
   EXPECT_EQ(bytes[63], 0x01);
   EXPECT_EQ(std::vector<std::uint8_t>(bytes.begin() + 64, bytes.end()), hex("AF C1 0E 00 00 00"));
-}
-
-TEST(Pixy2Protocol, AVersionsTypeMayFillItsRoom) {
-  const auto version = version_in(packet_of(hex("AF C1 0F 10 00 00 00 22 03 00 14 00 67 65 6E 65 72 61 6C 65 72 61")));
-  ASSERT_TRUE(version);
-  EXPECT_EQ(version->type.view(), "generalera");
-}
-
-TEST(Pixy2Protocol, VersionsAndResolutionsDifferInEachPart) {
-  const Version one{0x2200, 3, 0, 20, "general"};
-  EXPECT_NE(one, (Version{0x2201, 3, 0, 20, "general"}));
-  EXPECT_NE(one, (Version{0x2200, 4, 0, 20, "general"}));
-  EXPECT_NE(one, (Version{0x2200, 3, 1, 20, "general"}));
-  EXPECT_NE(one, (Version{0x2200, 3, 0, 21, "general"}));
-  EXPECT_NE(one, (Version{0x2200, 3, 0, 20, "special"}));
-  EXPECT_NE((Resolution{316, 208}), (Resolution{316, 207}));
-  EXPECT_NE((Resolution{316, 208}), (Resolution{315, 208}));
 }
 
 }  // namespace

@@ -61,20 +61,6 @@ TEST(I2cStream, AReaderThatNeverRestsLeavesTheBusToAWriter) {
   EXPECT_EQ(bus.transfers().back().out.size(), 3U);
 }
 
-// The answer of a bus to a write is no data.
-TEST(I2cStream, AWriteBringsNoBytes) {
-  const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 0}, {kSent, {}, 0}, {kSent, {}, 0}}};
-  Bus bus(script);
-  I2cStream<Bus> stream(bus, 0x54);
-  std::array<std::uint8_t, 16> in{};
-  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.read(in).value(), 3U);
-  EXPECT_TRUE(stream.write(kSent));
-  EXPECT_EQ(stream.read(in).error(), Error::kNotReady) << "the write ends";
-  EXPECT_EQ(stream.read(in).error(), Error::kNotReady);
-  EXPECT_EQ(stream.read(in).value(), 3U);
-}
-
 // A writer that got its turn has no more to wait for: the next read begins as soon as the write is over.
 TEST(I2cStream, AWriterThatHadItsTurnCostsTheReaderNone) {
   const std::array<fake::I2cStep, 3> script = {{{kSent, {}, 1}, {{}, {}, 0}, {kSent, {}, 0}}};
