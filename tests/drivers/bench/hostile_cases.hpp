@@ -1,9 +1,11 @@
 // All drivers that run through hostile hours and keep the contract.
 #pragma once
 
+#include <cctype>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tests/drivers/bench/hostile_figures.hpp"
@@ -32,6 +34,16 @@ struct RegisteredCase {
 };
 
 std::span<const HostileCase> hostile_cases();
+
+/// For INSTANTIATE_TEST_SUITE_P: the letters and digits of a case's name.
+struct TestName {
+  template <class Info>
+  std::string operator()(const Info& driver) const {
+    std::string name(driver.param.name);
+    std::erase_if(name, [](unsigned char c) { return std::isalnum(c) == 0; });
+    return name;
+  }
+};
 
 /// A protocol without checksum, or whose checksum a cable stands for that is damaged here.
 inline constexpr double kNoSum = 0.1;

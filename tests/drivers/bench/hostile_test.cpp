@@ -19,13 +19,7 @@ TEST_P(EveryDriver, SurvivesAHostileHour) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(hostile_cases().begin(), hostile_cases().end()),
-                         [](const auto& driver) {
-                           std::string name;
-                           for (const char c : driver.param.name) {
-                             if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
-                           }
-                           return name;
-                         });
+                         TestName());
 
 // The judge itself.
 TEST(HostileFigures, EveryFaultIsReported) {

@@ -88,13 +88,7 @@ TEST_P(DriverContract, DoesNotTakeNoiseForItsDevice) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DriverContract, testing::ValuesIn(hostile_cases().begin(), hostile_cases().end()),
-                         [](const auto& driver) {
-                           std::string name;
-                           for (const char c : driver.param.name) {
-                             if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
-                           }
-                           return name;
-                         });
+                         TestName());
 
 TEST(DriverContractTable, HasARowForEachDriverAndCase) {
   const std::size_t rows = hostile_cases().size() * (contract_cases().size() + 1);

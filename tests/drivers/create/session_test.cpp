@@ -167,19 +167,6 @@ TEST(CreateSession, ACreate1ThatIsPushedIsReadMoreOften) {
   EXPECT_NEAR(degrees(rig.last), 90, 3);
 }
 
-// The next reading has the motion of the 0.3 s, though it was driven unseen.
-TEST(CreateSession, AShortUnplugCostsACreate1NoMotion) {
-  Rig rig(create1(), CreateModel::kOne);
-  rig.run(90);
-  drive(rig, 200, 200, 3'000);
-  rig.link.unplug();
-  rig.run(300);
-  rig.link.replug();
-  rig.run(2'700);
-  drive(rig, 0, 0, 1'500);
-  EXPECT_NEAR(rig.last.x.to_double(), 1.2, 0.005);
-}
-
 TEST(CreateSession, ACreate1ThatWasSwitchedOffGoesOnFromWhereItWas) {
   Rig rig(create1(), CreateModel::kOne);
   rig.run(90);
@@ -511,19 +498,6 @@ TEST_F(Driven, AtTheEndItStandsInPassive) {
   EXPECT_EQ(rig.device.mode(), 1);
   rig.run(500);
   EXPECT_EQ(speeds().left, 0) << "and gets no command to go on";
-}
-
-TEST(CreateSession, BytesThatAreNoStreamAreUnready) {
-  Rig rig(config_of(Model::kCreate2), CreateModel::kTwo);
-  rig.link.power(false);
-  for (int i = 0; i < 400; ++i) {
-    rig.link.noise(test::bytes_of(std::string_view("\x13\x06\x2Bxy")));
-    (void)rig.step();
-  }
-  EXPECT_EQ(rig.driver.link(), LinkState::kUnready);
-  rig.run(600);
-  EXPECT_EQ(rig.driver.link(), LinkState::kSilent);
-  EXPECT_EQ(rig.frames.size(), 0U);
 }
 
 // A damaged frame costs nothing but itself: the pose at the end is that of the counts.

@@ -9,6 +9,7 @@
 #include "host/emulate/models/grove.hpp"
 #include "tests/drivers/bench/i2c_cable.hpp"
 #include "tests/drivers/hex.hpp"
+#include "tests/drivers/says.hpp"
 #include "tests/drivers/states/reveal.hpp"
 #include "tests/drivers/states/scanned.hpp"
 
@@ -232,12 +233,7 @@ TEST(GroveSession, WaitsForItsModel) {
   const auto hear = [&](const std::string& text, std::int64_t t) {
     for (const char c : text) (void)session.take(test::octet(c), {t});
   };
-  const auto said = [&](std::int64_t t) {
-    session.step({t});
-    const std::size_t size = session.outbox().waiting().size();
-    session.outbox().sent(size);
-    return size > 0;
-  };
+  const auto said = [&](std::int64_t t) { return test::says(session, t); };
   EXPECT_TRUE(said(0));
   EXPECT_FALSE(said(7'999));
   EXPECT_TRUE(said(8'000));

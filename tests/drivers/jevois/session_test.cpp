@@ -5,6 +5,7 @@
 
 #include "hal/fake/scripted_link.hpp"
 #include "tests/drivers/jevois/rig.hpp"
+#include "tests/drivers/says.hpp"
 
 namespace fencepost::jevois {
 namespace {
@@ -58,12 +59,7 @@ TEST(JevoisSession, WaitsHalfASecondEachTime) {
   const auto hear = [&](std::string_view text, std::int64_t t) {
     for (const char c : text) (void)session.take(static_cast<std::uint8_t>(c), {t});
   };
-  const auto said = [&](std::int64_t t) {
-    session.step({t});
-    const std::size_t size = session.outbox().waiting().size();
-    session.outbox().sent(size);
-    return size > 0;
-  };
+  const auto said = [&](std::int64_t t) { return test::says(session, t); };
   EXPECT_TRUE(said(0));
   EXPECT_FALSE(said(4'999));
   hear("MARK START\nMARK STOP\n", 4'999);

@@ -7,6 +7,7 @@
 
 #include "tests/drivers/hex.hpp"
 #include "tests/drivers/pixy1/rig.hpp"
+#include "tests/drivers/says.hpp"
 
 namespace fencepost::pixy1 {
 namespace {
@@ -122,12 +123,7 @@ TEST(Pixy1Usb, WhatTheFirstBytesOfAMessageAre) {
 
 TEST(Pixy1Usb, WaitsForAnAnswerAndForAnImage) {
   UsbSession session{Options{}};
-  const auto asks = [&](std::int64_t t) {
-    session.step({t});
-    const std::size_t size = session.outbox().waiting().size();
-    session.outbox().sent(size);
-    return size > 0;
-  };
+  const auto asks = [&](std::int64_t t) { return test::says(session, t); };
   EXPECT_TRUE(asks(0));
   EXPECT_FALSE(asks(2'999));
   EXPECT_TRUE(asks(3'000)) << "0.3 s";

@@ -36,16 +36,6 @@ TEST(SignatureOf, IsThatOfTheRangeThatHoldsTheShares) {
   EXPECT_EQ(signature_of({}, 230, 110, 30), 0);
 }
 
-TEST(SignatureOf, StaysTheSameInLessLight) {
-  for (const double light : {1.0, 0.8, 0.5, 0.3, 0.25}) {
-    const auto lit = [&](int level) { return static_cast<int>(std::lround(level * light)); };
-    EXPECT_EQ(signature_of(kRanges, lit(230), lit(110), lit(30)), 1) << light;
-    EXPECT_EQ(signature_of(kRanges, lit(30), lit(60), lit(200)), 2) << light;
-  }
-  // 25, 12, 3: the mean is 13, and the range begins at 20.
-  EXPECT_EQ(signature_of(kRanges, 25, 12, 3), 0);
-}
-
 TEST(SignatureOf, BoundsAreInclusive) {
   const std::vector<ColourRange> one = {range(1, 0.5, 0.5, 0.25, 0.25, 40)};
   EXPECT_EQ(signature_of(one, 100, 50, 50), 1);

@@ -5,6 +5,7 @@
 
 #include "tests/drivers/bench/xbc_rig.hpp"
 #include "tests/drivers/hex.hpp"
+#include "tests/drivers/says.hpp"
 
 namespace fencepost::xbc {
 namespace {
@@ -57,12 +58,7 @@ TEST(XbcSession, AsksOnceHoweverLongTheLineIsBlocked) {
 
 TEST(XbcSession, WaitsASecondEachTime) {
   Session session{Config{}};
-  const auto asks = [&](std::int64_t t) {
-    session.step({t});
-    const std::size_t size = session.outbox().waiting().size();
-    session.outbox().sent(size);
-    return size > 0;
-  };
+  const auto asks = [&](std::int64_t t) { return test::says(session, t); };
   EXPECT_TRUE(asks(0));
   EXPECT_FALSE(asks(9'999));
   EXPECT_TRUE(asks(10'000));
