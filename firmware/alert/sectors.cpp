@@ -118,6 +118,8 @@ void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace&
   const float reach = reach_of(outline.view);
   if (far && reach < kSmall) return;
   const Vec2 ahead = robot.see(center);
+  std::size_t nearest = 0;
+  if (reach > kSmall && outline.view.distance_from(-center, nearest) < 0) return near_.fill(0);
   if (reach > kSmall) return add_sides(outline.view, ahead, robot, kNearer * outline.view.mean_sigma());
   // No part of it is nearer than the line that touches it there.
   const std::size_t sides = outline.view.offsets.size();
@@ -133,11 +135,9 @@ void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, c
   const std::size_t sides = outline.offsets.size();
   Vec2 before = center + robot.see(outline.corner(sides - 1));
   float distance = before.norm();
-  bool inside = true;
   for (std::size_t k = 0; k < sides; ++k) {
     const Vec2 corner = center + robot.see(outline.corner(k));
     const Vec2 side = corner - before;
-    inside = inside && recon::cross(before, side) > 0;
     const float length = std::fabs(side.x()) + std::fabs(side.y());
     const int pieces = pieces_of(length);
     const Vec2 step = side / static_cast<float>(pieces);
@@ -150,7 +150,6 @@ void Sectors::add_sides(const recon::OutlineView& outline, const Vec2& center, c
       distance = then;
     }
   }
-  if (inside) near_.fill(0);
 }
 
 std::optional<std::int32_t> Sectors::range(std::size_t sector) const {

@@ -28,8 +28,8 @@ inline constexpr float kHysteresis = 1.15F;
 inline constexpr base::Duration kEaseAfter = recon::guard::kRefutedAfter;
 /// Minimum time between two notices of an alert: a notice is not urgent. By design.
 inline constexpr base::Duration kNoticeInterval = base::milliseconds(1000);
-/// Change of distance after which an alert in force is said again in words. It is twice the centimetre that is shown,
-/// so that jitter about a half does not repeat it. More: fewer sentences while the robot creeps. By design.
+/// Change of distance after which an alert in force is said again in words. Derived: twice the centimetre that is
+/// shown, so that jitter about a half does not repeat it.
 inline constexpr base::Metres kSaidAgain{200};
 
 /// Safety margin for the uncertainty of a distance: it is subtracted before the comparison with the stop distance.
@@ -54,8 +54,8 @@ inline constexpr float kUnsureMargin = 0.03F;
 
 /// quarters of a row: sigma of a foot's row. More: late stops; less: noise moves. Derived: as matching has it.
 inline constexpr auto kRowSigma = static_cast<std::int32_t>(4 * recon::kRowPixels);
-/// mm, sigma of a depth besides that of the row. By design.
-inline constexpr std::int32_t kDepthSigma = 6;
+/// mm, sigma of a depth besides that of the row. Derived: that of the way between two positions of the robot.
+inline constexpr auto kDepthSigma = static_cast<std::int32_t>(1414.2F * recon::kPositionNoise + 0.5F);
 /// quarters of a column: sigma of a width. By design.
 inline constexpr std::int32_t kColumnSigma = 9;
 /// Gate of a depth, in squared sigmas; recon::kFewestViews outliers in a row begin anew. By design.
@@ -112,8 +112,9 @@ inline constexpr std::int32_t kAveragedFrames = 8;
 /// Time span of the sightings for the direction and its change. More: things that turn are followed late; less: things
 /// that pass beside stop the robot. By design.
 inline constexpr base::Duration kDirectionSpan = base::milliseconds(700);
-/// Least number of these sightings, and of those before lateral speed is used. By design.
-inline constexpr std::int32_t kMinSightings = 6;
+/// Least number of these sightings, and of those before lateral speed is used. Derived: recon::kFewestViews for the
+/// direction, and as many for its change.
+inline constexpr std::int32_t kMinSightings = 2 * recon::kFewestViews;
 /// Most of them. By design.
 inline constexpr std::int32_t kMaxSightings = 32;
 /// mm. What is farther is not followed. More: work for what cannot matter; less: what is fast is found late. Derived:
@@ -141,8 +142,8 @@ inline constexpr std::int64_t kOverdueQuarters = 10;
 inline constexpr base::Duration kMinOverdue = base::milliseconds(270);
 /// Maximum of that time. By design.
 inline constexpr base::Duration kMaxOverdue = base::milliseconds(1500);
-/// Minimum of that time for a stationary robot. By design.
-inline constexpr base::Duration kOverdueStanding = base::milliseconds(1000);
+/// Minimum of that time for a stationary robot. Derived: nothing that it sees is forgotten sooner.
+inline constexpr base::Duration kOverdueStanding = recon::kKeepUnseen;
 /// Time without any change of the boxes after which the camera is frozen, if kFrozenShift was expected. By design.
 inline constexpr base::Duration kFrozenFor = base::milliseconds(200);
 /// px by which the robot's motion should have moved the boxes meanwhile. By design.

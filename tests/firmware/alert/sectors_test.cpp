@@ -155,10 +155,12 @@ TEST(Sectors, InsideAThingAllRangesAreZero) {
   recon::Object<config::Small> object;
   static_cast<recon::ObjectCore&>(object) = known_object(0.1, 0, 0.3);
   const recon::guard::Front front = front_at(0.03, 0.03);
-  for (const bool object_there : {false, true}) {
+  recon::Object<config::Small> outlined = object;
+  BoxOutline(1.0F, 2.0F, 0.005F).put_into(outlined.hybrid(), {10'000, 0});
+  for (const int thing : {0, 1, 2}) {
     Sectors sectors({}, kHome, 150);
-    object_there ? sectors.add(object, alert::RobotPlace(kHome)) : sectors.add({&front, 1}, {});
-    for (std::size_t k = 0; k < kSectors; ++k) EXPECT_EQ(sectors.range(k), 0) << k;
+    thing == 0 ? sectors.add({&front, 1}, {}) : sectors.add(thing == 1 ? object : outlined, alert::RobotPlace(kHome));
+    for (std::size_t k = 0; k < kSectors; ++k) EXPECT_EQ(sectors.range(k), 0) << thing << ", " << k;
   }
 }
 
