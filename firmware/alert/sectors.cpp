@@ -118,9 +118,11 @@ void Sectors::add_outline(const recon::PlacedOutline& outline, const RobotPlace&
   const float reach = reach_of(outline.view);
   if (far && reach < kSmall) return;
   const Vec2 ahead = robot.see(center);
-  std::size_t nearest = 0;
-  if (reach > kSmall && outline.view.distance_from(-center, nearest) < 0) return near_.fill(0);
-  if (reach > kSmall) return add_sides(outline.view, ahead, robot, kNearer * outline.view.mean_sigma());
+  if (reach > kSmall) {
+    std::size_t nearest = 0;
+    if (outline.view.distance_from(-center, nearest) < 0) return near_.fill(0);  // the robot is inside
+    return add_sides(outline.view, ahead, robot, kNearer * outline.view.mean_sigma());
+  }
   // No part of it is nearer than the line that touches it there.
   const std::size_t sides = outline.view.offsets.size();
   const std::size_t one = recon::place_of(Vec2(-center), sides).sector;

@@ -267,11 +267,16 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
   const NormalEquations edges = edges_and_radius();
   const CylinderEstimate from_edges = solve_equations(edges, lens);
   const bool edges_know = this->edges_know(from_edges, lens);
-  rows_too_far_ = edges_know && row_count_ > 0 && farther_by(independent_rows(), from_edges) > kGateSigmas;
-  const NormalEquations rows = believed_rows(noise);
-  if (!(rows.information.rr > 0)) return from_edges;
-  if (from_edges.ok() && edges_know && std::fabs(farther_by(rows, from_edges)) > kGateSigmas) return from_edges;
-  NormalEquations both = rows;
+  NormalEquations both = independent_rows();
+  const bool rows_known = both.information.rr > 0;
+  float farther = edges_know && rows_known ? farther_by(both, from_edges) : 0.0F;
+  rows_beyond_edges_ = farther > kGateSigmas;
+  if (!rows_known) return from_edges;
+  if (trend_.verdict() == RowVerdict::kTooFar) {
+    both = trend_line(noise);
+    if (edges_know) farther = farther_by(both, from_edges);
+  }
+  if (from_edges.ok() && std::fabs(farther) > kGateSigmas) return from_edges;
   both.add(edges);
   CylinderEstimate estimate = solve_equations(both, lens);
   if (!seen_whole_ && views_ < kFewestViews) return estimate;
@@ -280,14 +285,11 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
   return estimate;
 }
 
-NormalEquations Cylinder::believed_rows(const MeasurementNoise& noise) const {
-  if (trend_.verdict() == RowVerdict::kTooFar) {
-    NormalEquations rows;
-    const RowTrend::Front front = trend_.front();
-    rows.add(front.plane.normal, front.plane.bound, 1 / (front.variance + shape_variance(noise)));
-    return rows;
-  }
-  return independent_rows();
+NormalEquations Cylinder::trend_line(const MeasurementNoise& noise) const {
+  NormalEquations line;
+  const RowTrend::Front front = trend_.front();
+  line.add(front.plane.normal, front.plane.bound, 1 / (front.variance + shape_variance(noise)));
+  return line;
 }
 
 NormalEquations Cylinder::independent_rows() const {
@@ -319,7 +321,7 @@ void Cylinder::hash(base::Fnv1a64& hash) const {
   hash.f32(false_depth_);
   if (known_radius_ > 0) hash.f32(known_radius_);
   hash.u8(views_);
-  hash.u8(static_cast<std::uint8_t>((seen_whole_ ? 1U : 0U) | (rows_too_far_ ? 2U : 0U)));
+  hash.u8(static_cast<std::uint8_t>((seen_whole_ ? 1U : 0U) | (rows_beyond_edges_ ? 2U : 0U)));
   hash.u8(whole_views_);
   hash.u8(static_cast<std::uint8_t>(estimate_.refusal));
   if (!estimate_.ok()) return;

@@ -104,9 +104,9 @@ class Cylinder {
   [[nodiscard]] float row_count() const { return row_count_; }
   /// The verdict on the object's rows.
   [[nodiscard]] const RowTrend& row_trend() const { return trend_; }
-  /// Its rows put it clearly farther than its edges do. It approaches by itself, or its foot is above the floor, or the
-  /// pitch is wrong: which of these, one camera cannot tell.
-  [[nodiscard]] bool rows_too_far() const { return rows_too_far_; }
+  /// Its rows put it farther than its edges do, by more than kGateSigmas. It approaches by itself, or its foot is above
+  /// the floor, or the pitch is wrong: one camera cannot tell which.
+  [[nodiscard]] bool rows_beyond_edges() const { return rows_beyond_edges_; }
   /// m; 0: not configured.
   [[nodiscard]] float known_radius() const { return known_radius_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }
@@ -126,20 +126,21 @@ class Cylinder {
   [[nodiscard]] CylinderEstimate solve(const Vec2& lens, const MeasurementNoise& noise);
   /// The edges alone know the distance, and not only because noise looks like parallax.
   [[nodiscard]] bool edges_know(const CylinderEstimate& from_edges, const Vec2& lens) const;
+  /// The equations of the rows, which count as kIndependentRows at most.
   [[nodiscard]] NormalEquations independent_rows() const;
-  /// The equations of the rows, or the line of their trend if the rows say too far.
-  [[nodiscard]] NormalEquations believed_rows(const MeasurementNoise& noise) const;
+  /// The line of their trend, which replaces them if it says that they are too far.
+  [[nodiscard]] NormalEquations trend_line(const MeasurementNoise& noise) const;
 
   NormalEquations edges_;
   NormalEquations rows_;
   float row_count_ = 0;
   float known_radius_ = 0;  ///< Sighting::known_radius
   RowTrend trend_;
-  float false_depth_ = 0;         ///< information on the distance in edges_ that is only bearing noise, 1/m^2
-  std::uint8_t views_ = 0;        ///< counted as far as kFewestViews
-  bool seen_whole_ = false;       ///< a view had both ends
-  std::uint8_t whole_views_ = 0;  ///< in a row, counted as far as kViewsWhole, and kept then
-  bool rows_too_far_ = false;     ///< by the last solve()
+  float false_depth_ = 0;           ///< information on the distance in edges_ that is only bearing noise, 1/m^2
+  std::uint8_t views_ = 0;          ///< counted as far as kFewestViews
+  bool seen_whole_ = false;         ///< a view had both ends
+  std::uint8_t whole_views_ = 0;    ///< in a row, counted as far as kViewsWhole, and kept then
+  bool rows_beyond_edges_ = false;  ///< by the last solve()
   float agreement_ = 1;  ///< running mean of the inlier weights: low when the past does not explain the present
   CylinderEstimate estimate_;
 };

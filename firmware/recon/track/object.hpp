@@ -70,7 +70,7 @@ struct ObjectCore {
   /// It should have been seen again and again and was not: it is not there, or not where it was.
   [[nodiscard]] bool refuted() const { return missed_for >= kMoment.raw; }
   /// It moves, or its rows allow that: it ends once it is out of the image.
-  [[nodiscard]] bool may_move() const { return moving || cylinder.rows_too_far(); }
+  [[nodiscard]] bool may_move() const { return moving || cylinder.rows_beyond_edges(); }
   /// An end of it was outside the image or hidden when it was seen last.
   [[nodiscard]] bool cut_off() const { return !is_edge(left) || !is_edge(right); }
   /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one

@@ -186,7 +186,7 @@ TEST(Cylinder, RowsOfAnObjectAboveTheFloorAreDropped) {
     stand_on_floor(s, 1.7 * (1.0 - kRadius));  // 5 cm up, seen from 12 cm
     add(cylinder, s);
   }
-  EXPECT_TRUE(cylinder.rows_too_far());
+  EXPECT_TRUE(cylinder.rows_beyond_edges());
   ASSERT_TRUE(cylinder.estimate().ok());
   EXPECT_NEAR(cylinder.estimate().center.x(), 1.0F, 2e-3F);
   EXPECT_NEAR(cylinder.estimate().center.y(), 0.0F, 2e-3F);
@@ -194,20 +194,20 @@ TEST(Cylinder, RowsOfAnObjectAboveTheFloorAreDropped) {
 }
 
 // On the way to a post, its rows may be those of a foot on the floor or of a thing that comes nearer.
-TEST(Cylinder, RowsAreTooFarForAThingThatComes) {
+TEST(Cylinder, RowsAreBeyondTheEdgesOfAThingThatComes) {
   struct Case {
     const char* what;
     double comes;  // m, while the robot drives one
     double base;   // as a share of the lens's height
     double drives;
-    bool too_far;
+    bool beyond;
   };
   for (const Case& c :
        {Case{"on the floor", 0, 0, 1, false}, Case{"comes", 1, 0, 1, true}, Case{"comes slowly", 0.4, 0, 1, true},
         Case{"recedes", -0.5, 0, 1, false}, Case{"seen from one place", 0, 0.4, 0, false}}) {
     SCOPED_TRACE(c.what);
     Cylinder cylinder;
-    EXPECT_FALSE(cylinder.rows_too_far());
+    EXPECT_FALSE(cylinder.rows_beyond_edges());
     for (int i = 0; i < 36; ++i) {
       const double driven = 0.03 * i;
       const host::Point center{2.2 - c.comes * driven, 0.4};
@@ -217,7 +217,7 @@ TEST(Cylinder, RowsAreTooFarForAThingThatComes) {
       stand_on_floor(s, (center.x - kRadius - lens.x) / (1 - c.base));
       add(cylinder, s);
     }
-    EXPECT_EQ(cylinder.rows_too_far(), c.too_far);
+    EXPECT_EQ(cylinder.rows_beyond_edges(), c.beyond);
   }
 }
 
