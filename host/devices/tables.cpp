@@ -171,9 +171,8 @@ std::string devices_document() {
          "makers' documents and\nsources, or from others. Latencies are assumed, until [calibrated](calibrate.md).\n\n"
          "A device is named `KIND:PLACE[,option=value...]`. Its page has the options with their defaults, of words the "
          "first. On a\nboard `set camera` and `set odometry` ([console](console.md)) choose by the name in the last "
-         "column.\n[`emulate`](emulate.md) plays all but the console. Its lines on the pages are for two terminals at "
-         "the "
-         "top of the\nsources. Their scene has a red box 1.8 m ahead of a robot that stops before it.\n\n" +
+         "column.\n[`emulate`](emulate.md) plays all but the console: type a page's lines in two terminals, in the top "
+         "folder of the\nsources. Their scene has a red box 1.8 m ahead of a robot that stops before it.\n\n" +
          live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry");
 }
 
