@@ -6,7 +6,7 @@
 namespace fencepost::recon {
 namespace {
 
-// Chosen on random worlds of the seeds 1 to 400, judged on 50,001 to 50,400 (Constellation.*, merge.md).
+// Chosen on random worlds of the seeds 1 to 400, judged on 50,001 to 50,400 (Constellation.*, accuracy.md).
 /// sigmas: farther apart two places are not the same object's.
 constexpr float kMatchSigmas = 3.0F;
 /// m, sigma of every place beside its own: the error that all views of a map have in common.

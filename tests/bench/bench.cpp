@@ -17,7 +17,7 @@ constexpr const char* kUsage =
     "Measures the robot's kernels beside a textbook's cut, other libraries and memory itself, and prints tables;\n"
     "--write puts them between the marks of FILE, too. Fails if areas disagree.\n";
 
-constexpr std::size_t kObjects[] = {4, 8};
+constexpr std::size_t kObjects = 8;
 constexpr std::size_t kCells[] = {64, 128, 256};
 
 // The first polygon is what the others are compared with.
@@ -53,45 +53,34 @@ class Medians final : public benchmark::BenchmarkReporter {
   std::map<std::string, double> of_;
 };
 
-std::vector<Measured> measure(const std::vector<Workload>& workloads, const std::vector<std::vector<Contender>>& all) {
-  const auto name_of = [](std::size_t w, std::size_t c) { return std::to_string(w) + "_" + std::to_string(c); };
-  for (std::size_t w = 0; w < all.size(); ++w) {
-    for (std::size_t c = 0; c < all[w].size(); ++c) {
-      benchmark::RegisterBenchmark(name_of(w, c).c_str(), [run = all[w][c].run](benchmark::State& state) {
-        for ([[maybe_unused]] auto _ : state) {
-          run();
-          benchmark::ClobberMemory();
-        }
-      });
-    }
+std::vector<Measured> measure(const Workload& workload, const std::vector<Contender>& all) {
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    benchmark::RegisterBenchmark(std::to_string(c).c_str(), [run = all[c].run](benchmark::State& state) {
+      for ([[maybe_unused]] auto _ : state) {
+        run();
+        benchmark::ClobberMemory();
+      }
+    });
   }
   Medians medians;
   benchmark::RunSpecifiedBenchmarks(&medians);
+  const double views = static_cast<double>(workload.size() * kViews);
   std::vector<Measured> measured;
-  for (std::size_t c = 0; c < all[0].size(); ++c) {
-    for (std::size_t w = 0; w < all.size(); ++w) {
-      const double views = static_cast<double>(workloads[w].size() * kViews);
-      measured.push_back({all[w][c], workloads[w].size(), medians.of(name_of(w, c)) / views});
-    }
-  }
+  for (std::size_t c = 0; c < all.size(); ++c) measured.push_back({all[c], medians.of(std::to_string(c)) / views});
   return measured;
 }
 
 int run(const std::string& file) {
-  std::vector<Workload> workloads;
-  for (const std::size_t objects : kObjects) workloads.push_back(workload(objects));
-  std::vector<std::vector<Contender>> all;
-  for (const Workload& workload : workloads) all.push_back(contenders_for(workload));
+  const Workload workload = bench::workload(kObjects);
+  const std::vector<Contender> all = contenders_for(workload);
   bool agree = true;
-  for (std::size_t w = 0; w < all.size(); ++w) {
-    for (const std::string& fault : disagreements(workloads[w], all[w])) {
-      std::fputs(("bench: " + fault + "\n").c_str(), stderr);
-      agree = false;
-    }
+  for (const std::string& fault : disagreements(workload, all)) {
+    std::fputs(("bench: " + fault + "\n").c_str(), stderr);
+    agree = false;
   }
   if (!agree) return 1;
   const std::string text =
-      "Measured on " + machine() + "; medians of CPU time, an object and view.\n\n" + tables(measure(workloads, all));
+      "Measured on " + machine() + "; medians of CPU time, an object and view.\n\n" + tables(measure(workload, all));
   std::fputs(text.c_str(), stdout);
   if (file.empty() || write_between_marks(file, text)) return 0;
   std::fputs(("bench: " + file + " has no marks to write between, or cannot be written\n").c_str(), stderr);

@@ -17,8 +17,7 @@ std::string in_ns(double ns) { return ns < 100 ? fmt::format("{:.1f}", ns) : fmt
 
 double of(const std::vector<Measured>& all, const Measured& like, Kind kind) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const Measured& m) {
-    return m.contender.kind == kind && m.objects == like.objects &&
-           (kind == Kind::kPolygon || m.contender.cells == like.contender.cells);
+    return m.contender.kind == kind && (kind == Kind::kPolygon || m.contender.cells == like.contender.cells);
   });
   return found == all.end() ? 0 : found->ns;
 }
@@ -26,17 +25,17 @@ double of(const std::vector<Measured>& all, const Measured& like, Kind kind) {
 // The first polygon is ours.
 std::string row(const std::vector<Measured>& all, const Measured& m, Kind unit) {
   const double one = of(all, m, unit);
-  return fmt::format("| {} | {} | {} | {:.2f} |\n", m.contender.name, m.objects, in_ns(m.ns), one > 0 ? m.ns / one : 0);
+  return fmt::format("| {} | {} | {:.2f} |\n", m.contender.name, in_ns(m.ns), one > 0 ? m.ns / one : 0);
 }
 
 }  // namespace
 
 std::string tables(const std::vector<Measured>& all) {
-  std::string text = "| exact polygon | objects | ns | times the clip |\n|---|---|---|---|\n";
+  std::string text = "| exact polygon | ns | times the clip |\n|---|---|---|\n";
   for (const Measured& m : all) {
     if (m.contender.kind == Kind::kPolygon) text += row(all, m, Kind::kPolygon);
   }
-  text += "\n| grid | cells | objects | ns | times the limit |\n|---|---|---|---|---|\n";
+  text += "\n| grid | cells | ns | times the limit |\n|---|---|---|---|\n";
   for (const Measured& m : all) {
     if (m.contender.kind == Kind::kPolygon) continue;
     const std::string rest = row(all, m, Kind::kLimit).substr(2 + m.contender.name.size());

@@ -1,4 +1,4 @@
-// Measurements, as tests/results/speed.md shows it.
+// Measurements, as tests/results/performance.md shows it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,6 @@ namespace fencepost::bench {
 
 struct Measured {
   Contender contender;
-  std::size_t objects = 0;
   double ns = 0;  ///< an object and view, median of the repetitions
 };
 
