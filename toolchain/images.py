@@ -76,14 +76,16 @@ def page(text, version, collected):
     missing = sorted(set(collected) - set(parts))
     if missing:
         raise Fault(f"{DOCUMENT} has no section for {', '.join(missing)}: say there what goes where")
+    of_all = re.findall(r"^\| `\.(\w+)` \|", head, re.MULTILINE)  # kinds of files that the head explains
     for board, files in collected.items():
         named = set(re.findall(rf"fencepost-VERSION-{board}\.\w+", parts[board]))
         there = {name.replace(f"-{version}-", "-VERSION-", 1) for name in files}
         if named - there:
             raise Fault(f"{DOCUMENT} names {', '.join(sorted(named - there))}, which was not built: "
                         "toolchain/setup firmware installs what makes it")
-        if there - named:
-            raise Fault(f"{DOCUMENT} does not say what {', '.join(sorted(there - named))} is for")
+        unexplained = sorted(name for name in there - named if pathlib.PurePath(name).suffix[1:] not in of_all)
+        if unexplained:
+            raise Fault(f"{DOCUMENT} does not say what {', '.join(unexplained)} is for")
     rows = [line for line in head.splitlines() if not (row := ROW.match(line)) or row.group(1) in collected]
     return "\n".join([*rows, "", ""]).replace("VERSION", version) + "".join(
         parts[board].replace("VERSION", version) for board in collected)

@@ -164,27 +164,35 @@ std::string help_for(Use use, std::span<const std::string> kinds) {
 }
 
 std::string devices_document() {
-  return "# Devices\n\n"
-         "The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. A name leads to its page: "
-         "lens, "
-         "options,\nsettings, wires, lines to type, traps. Nobody has connected the real things: the facts come from "
-         "makers' documents and\nsources, or from others. Latencies are assumed, until [calibrated](calibrate.md).\n\n"
-         "A device is named `KIND:PLACE[,option=value...]`. Its page has the options with their defaults, of words the "
-         "first. On a\nboard `set camera` and `set odometry` ([console](console.md)) choose by the name in the last "
-         "column.\n[`emulate`](emulate.md) plays all but the console: type a page's lines in two terminals, in the top "
-         "folder of the\nsources. Their scene has a red box 1.8 m ahead of a robot that stops before it.\n\n" +
-         live_table(Use::kCamera, "camera") + "\n" + live_table(Use::kOdometry, "odometry");
+  return R"(# Devices
+
+The cameras and wheels that Fencepost knows, as `fencepost devices` lists them. A name leads to its page. Nobody has
+connected the real things: the facts come from makers' documents and sources, or from others. Latencies are assumed,
+until [calibrated](calibrate.md).
+
+A device is named `KIND:PLACE[,option=value...]`; of an option's words the first is the default. On a board `set camera`
+and `set odometry` ([console](console.md)) choose by the name in the last column. [`emulate`](emulate.md) plays all but
+the console, webcams and films. Here it is a Pixy2, in two terminals in the top folder of the sources:
+
+    fencepost emulate pixy2 create2 host/share/doc/sensors/pixy2.json --link ./camera --link ./wheels
+    fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot host/share/doc/sensors/pixy2.json --seconds 14 --log run.log
+
+Each camera has a scene beside its page, a red box 1.8 m ahead of a robot that stops before it. A CMUcam is run with
+`settle=0`.
+
+)" + live_table(Use::kCamera, "camera") +
+         "\n" + live_table(Use::kOdometry, "odometry");
 }
 
 std::string devices_results() {
-  return "# Devices: what was tried with what\n\n"
-         "From the catalogue (`host/devices`). **No line was tried with the device itself.** `emulator only`: no other "
-         "people's\nsoftware was at the emulator, and nobody's firmware or recording at the driver. Both follow the "
-         "same "
-         "documents and can\nbe wrong alike. Emulator: `emulate` has the link, or a test alone. Guest kernel: the bus "
-         "of "
-         "a real kernel\n(`toolchain/guest`); a serial line needs none.\n\n" +
-         coverage_table();
+  return R"(# Devices: what was tried with what
+
+From the catalogue (`host/devices`). **No line was tried with the device itself.** `emulator only`: no other people's
+software was at the emulator, and nobody's firmware or recording at the driver. Both follow the same documents and can
+be wrong alike. Emulator: `emulate` has the link, or a test alone. Guest kernel: the bus of a real kernel
+(`toolchain/guest`); a serial line needs none.
+
+)" + coverage_table();
 }
 
 std::string device_facts() {

@@ -5,7 +5,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-PAGES = ("host/share/doc/devices.md", "tests/results/devices.md", "tests/host/devices/facts.txt")
+PAGES = ("host/share/doc/devices.md", "tests/host/devices/facts.txt")
 PICOS = ("pico", "xrp", "pico2", "xrp2")
 BOARDS = ("pico", "xrp", "pico2", "xrp2", "netduino_plus_2", "pyboard", "feather_f405", "microbit", "microbit_v2")
 
@@ -32,7 +32,6 @@ class Device:
     lens: list = field(default_factory=list)  # the row of its lens: image, across, focal length, lens, latency, source
     tells: str = ""  # emulate's words on it; empty: it is not emulated
     unready: str = ""
-    tried: list = field(default_factory=list)  # (link, emulator, guest, others)
 
 
 def cells_of(line):
@@ -92,8 +91,6 @@ def devices_of(sources):
         if base in devices and not devices[base].tells:
             devices[base].tells = tells
     devices["encoders"] = Device("encoders", "Quadrature encoders on a board's pins", odometry=True, images=[images["encoders"]])
-    for row in tables["device link"]:
-        devices[plain(row[0])].tried.append(row[1:])
     return devices
 
 

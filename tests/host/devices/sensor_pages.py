@@ -74,11 +74,7 @@ def facts(device, _pins, _sources):
         rows.append(["lens", f"{across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}"])
     if device.options:
         rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
-    if device.tried:
-        tried = {link: others.removeprefix("none: ") for link, *_, others in device.tried}
-        alike = len(set(tried.values())) == 1
-        rows.append(["tried with", next(iter(tried.values())) if alike else "; ".join(map(": ".join, tried.items()))])
-    return table(rows)
+    return table(rows) if rows[1:] else ""
 
 
 def pin(cell):
@@ -151,7 +147,7 @@ def colours(place):
 
 
 def emulation(device):
-    """(emulate, run) lines in two terminals; None where nothing can be emulated without a CAN interface or a console."""
+    """(emulate, run) lines in two terminals, as devices.md shows them of one; None where nothing can be emulated without a CAN interface or a console."""
     scene = f"host/share/doc/sensors/{device.name if device.lens else 'pixy2'}.json"
     camera = device.name if device.lens else "pixy2"
     wheels = device.name if not device.camera else "create2"
@@ -182,17 +178,12 @@ def places_lines(device):
 
 def run(device, _pins, _sources):
     parts = []
-    shown = emulation(device)
-    if shown:
-        truth = f"{device.name}.json" if device.lens else "pixy2.json"
-        parts.append(f"Emulated, in two terminals ([scene]({truth})):")
-        parts.append("\n".join("    " + line for line in shown))
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
     lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json{colours(line_of(device))}"]
     lines += ["    " + line for line in places_lines(device)]
     if lines:
-        parts.append("With the device ([robot file](../live.md#robot-file)):\n\n" + "\n".join(lines))
+        parts.append("With a [robot file](../live.md#robot-file):\n\n" + "\n".join(lines))
     if device.name == "encoders":
         parts.append("The settings above, typed on a board's [console](../console.md), or [written into its image](../boards.md#cameras).")
     return "\n\n".join(parts)
@@ -201,7 +192,7 @@ def run(device, _pins, _sources):
 def wrong(device, _pins, _sources):
     if not device.places:
         return "- [Cables](../console.md#cables) says what `status` reports of its link."
-    return paragraph(f"- *Answers but is not ready* ([doctor](../doctor.md#devices)): {device.unready}.", "  ")
+    return paragraph(f"- *Not ready*: {device.unready}.", "  ")
 
 
 def scene_of(device):

@@ -48,13 +48,19 @@ class Planted(unittest.TestCase):
             "huskylens.json": lambda: self.edit("tests/host/devices/facts.txt", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
             "xbc.md lacks <!-- wires -->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!-- wires -->", ""),
             "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
-            "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--seconds 14", "--seconds 1"),
+            "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--log run.log", "--log it.log"),
         }
         for says, plant in plants.items():
             with self.subTest(says):
                 plant()
                 self.assertIn(says, "\n".join(self.faults()))
                 self.setUp()
+
+    def test_the_example_is_compared(self):
+        devices = device_facts.devices_of(SOURCES)
+        self.assertTrue(sensor_runs.example_is_shown(devices, SOURCES))
+        self.edit(sensor_runs.EXAMPLE, "--seconds 14", "--seconds 1")
+        self.assertFalse(sensor_runs.example_is_shown(devices, self.root))
 
     def test_a_sentence_is_compared_without_its_numbers(self):
         page = (SOURCES / sensor_runs.SENTENCES).read_text(encoding="utf-8")

@@ -1,6 +1,6 @@
 """usage: sensor_runs.py FENCEPOST SOURCES [NAME...]
 
-Runs what the pages of host/share/doc/sensors show of each device: emulate and run in two terminals, replay --check of
+Runs what host/share/doc/devices.md shows of one device, for each: emulate and run in two terminals, replay --check of
 the log, and doctor. Doctor looks at the emulated device and at a port where nobody answers; its sentences have to be
 those of doctor.md. NAMEs: these alone.
 """
@@ -21,6 +21,7 @@ from shown_place import shown_place  # noqa: E402
 
 PATIENCE = 3600  # s of the stage, whose clock may jump while a program starts
 SENTENCES = "host/share/doc/doctor.md"
+EXAMPLE = "host/share/doc/devices.md"
 START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
 
 
@@ -114,37 +115,34 @@ def play_a_log(page, program, sources):
                 raise Wrong(f"$ {line}\nended with {process.returncode}:\n{process.stdout}")
 
 
-def lines_of(page):
-    """(emulate, run) as the page shows them"""
-    found = re.search(r"^ {4}(fencepost emulate .*)\n {4}(fencepost run .*)$", page, re.MULTILINE)
-    return found.groups() if found else None
-
-
 def fault_of(device, program, sources):
-    page = page_of(sources, device).read_text(encoding="utf-8")
-    shown = lines_of(page)
-    if device.name == "console":
-        try:
-            play_a_log(page, program, sources)
-        except Wrong as wrong:
-            return f"{device.name}: {wrong}"
-        return None
-    if not shown:
-        return f"{device.name}: its page shows no emulate and run"
     try:
-        drive(*shown, program, sources)
-        examine(device, shown[0], program, sources)
+        if device.name == "console":
+            play_a_log(page_of(sources, device).read_text(encoding="utf-8"), program, sources)
+        else:
+            emulate, run = emulation(device)
+            drive(emulate, run, program, sources)
+            examine(device, emulate, program, sources)
     except Wrong as wrong:
         return f"{device.name}: {wrong}"
     return None
 
 
+def example_is_shown(devices, sources):
+    """The lines of one device, which stand for those of all."""
+    page = (sources / EXAMPLE).read_text(encoding="utf-8")
+    return all(f"\n    {line}\n" in page for line in emulation(devices["pixy2"]))
+
+
 def main(arguments):
     program, sources = (Path(path).resolve() for path in arguments[:2])
     wanted = arguments[2:]
-    devices = [device for device in devices_of(sources).values()
+    known = devices_of(sources)
+    devices = [device for device in known.values()
                if (emulation(device) or device.name == "console") and (not wanted or device.name in wanted)]
     faults = [fault for fault in (fault_of(device, program, sources) for device in devices) if fault]
+    if not example_is_shown(known, sources):
+        faults.append(f"{EXAMPLE} does not show: " + ", ".join(emulation(known["pixy2"])))
     print("\n\n".join(faults))
     print(f"{len(devices)} devices, {len(faults)} do not as their page says")
     return 1 if faults or not devices else 0
