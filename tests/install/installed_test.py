@@ -160,8 +160,10 @@ class Page(unittest.TestCase):
     def test_page_shows_the_program(self):
         blocks = re.findall(r"^```cpp\n(.*?)^```$", self.page(), re.MULTILINE | re.DOTALL)
         self.assertEqual(blocks, [(HERE / "consumer/main.cpp").read_text()])
-        blocks = re.findall(r"^```c\n(.*?)^```$", self.page(), re.MULTILINE | re.DOTALL)
-        self.assertEqual(blocks, [(HERE / "c/main.c").read_text()])
+        shown = re.findall(r"^    (.*(?:memory\[|fencepost_init).*)$", self.page(), re.MULTILINE)
+        self.assertEqual(len(shown), 2)
+        for line in shown:
+            self.assertIn(f"  {line}\n", (HERE / "c/main.c").read_text())
 
     def test_page_tells_the_sizes_of_the_header(self):
         header = (pathlib.Path(SOURCE) / "firmware/fencepost/fencepost.hpp").read_text()

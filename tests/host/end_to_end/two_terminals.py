@@ -1,6 +1,6 @@
-"""Runs what two_terminals.md shows, in two terminals, and compares: python3 two_terminals.py FENCEPOST SOURCES SECTION.
+"""Runs what two_terminals.txt shows, in two terminals, and compares: python3 two_terminals.py FENCEPOST SOURCES SECTION.
 
-With --write as SECTION the document's outputs are replaced by what is seen. Numbers may differ; each device's lines, their order, and
+With --write as SECTION the text's outputs are replaced by what is seen. Numbers may differ; each device's lines, their order, and
 which levels of alerts come one after the other may not.
 """
 
@@ -101,7 +101,7 @@ def blocks_of(section):
 
 
 def main(program, sources, wanted):
-    document = Path(sources) / "tests/host/end_to_end/two_terminals.md"
+    document = Path(sources) / "tests/host/end_to_end/two_terminals.txt"
     text = document.read_text()
     different = seen = 0
     for section in re.split(r"^(?=## )", text, flags=re.M):
