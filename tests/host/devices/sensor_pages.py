@@ -1,6 +1,6 @@
 """usage: sensor_pages.py SOURCES [--write]
 
-The pages of host/share/doc/sensors, one a device. The text between `<!-- NAME -->` and `<!-- end -->` is made of the
+The pages of host/share/doc/sensors, one a device. The text between `<!--NAME-->` and `<!--end-->` is made of the
 catalogue's and the boards' tables (device_facts.py); the rest is written by hand. So is the table of all boards' wires in
 host/share/doc/boards.md. Compares; with --write it renews those parts and the scenes beside the pages. Exit status 1 if
 something differs, or a device has no page.
@@ -215,12 +215,12 @@ MAKERS = {"facts": facts, "wires": wires, "run": run, "wrong": wrong}
 
 
 def part_put(text, name, made):
-    return re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda match: match.group(1) + made + "\n" + match.group(2), text, flags=re.DOTALL)
+    return re.sub(rf"(<!--{name}-->\n).*?(<!--end-->)", lambda match: match.group(1) + made + "\n" + match.group(2), text, flags=re.DOTALL)
 
 
 def renewed(text, device: Device, pins, sources):
     """(the page with its parts made anew, the parts that it lacks)"""
-    lacks = [f"<!-- {name} -->" for name in SECTIONS if f"<!-- {name} -->" not in text] + [head for head in BY_HAND if head not in text]
+    lacks = [f"<!--{name}-->" for name in SECTIONS if f"<!--{name}-->" not in text] + [head for head in BY_HAND if head not in text]
     for name in SECTIONS:
         text = part_put(text, name, MAKERS[name](device, pins, sources))
     return text, lacks
@@ -244,8 +244,8 @@ def files_of(sources):
     faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]
     boards = sources / BOARDS_PAGE
     text = boards.read_text(encoding="utf-8")
-    if f"<!-- {WIRES_OF_BOARDS} -->" not in text:
-        faults.append(f"{boards.name} lacks <!-- {WIRES_OF_BOARDS} -->")
+    if f"<!--{WIRES_OF_BOARDS}-->" not in text:
+        faults.append(f"{boards.name} lacks <!--{WIRES_OF_BOARDS}-->")
     made[boards] = part_put(text, WIRES_OF_BOARDS, wires_of_boards(pins))
     return made, faults
 

@@ -46,7 +46,7 @@ class Planted(unittest.TestCase):
             "boards.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
             "cmucam4.md": lambda: self.edit("firmware/config/cameras.hpp", '"cmucam4", kLine, 19\'200', '"cmucam4", kLine, 38\'400'),
             "huskylens.json": lambda: self.edit("tests/host/devices/facts.txt", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
-            "xbc.md lacks <!-- wires -->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!-- wires -->", ""),
+            "xbc.md lacks <!--wires-->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!--wires-->", ""),
             "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
             "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--log run.log", "--log it.log"),
         }
