@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """A small tree with a document that is true, then with one fault of each kind."""
 
-import pathlib
-import tempfile
 import unittest
 
 from contributing_check import boards, cameras, check, models, settings, siblings
+from planted import Planted, plant
 
 DOCUMENT = """# Contributing
 ## Commits
@@ -36,18 +35,11 @@ TREE = {
 KINDS = {"BOARD": boards, "SETTING": settings}
 
 
-class ContributingCheck(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        for name, text in TREE.items():
-            self.write(name, text)
+class ContributingCheck(Planted):
+    FILES = TREE
 
     def write(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+        plant(self.root, {name: text})
 
     def faults(self, kinds=None):
         faults, _ = check(self.root, kinds or KINDS)

@@ -5,17 +5,16 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from planted import Planted
 
 HERE = pathlib.Path(__file__).parent
 
 
-class FormatCheck(unittest.TestCase):
+class FormatCheck(Planted):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         shutil.copy(HERE.parents[1] / ".clang-format", self.root)
         (self.root / "hal").mkdir()
 

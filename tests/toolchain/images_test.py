@@ -12,12 +12,12 @@ import json
 import pathlib
 import re
 import sys
-import tempfile
 import unittest
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "toolchain"))
 import images  # noqa: E402
+from planted import Planted
 
 TEXT = (TOP / images.DOCUMENT).read_text(encoding="utf-8")
 BOARDS = images.boards(json.loads((TOP / "CMakePresets.json").read_text(encoding="utf-8")))
@@ -71,16 +71,14 @@ class Boards(unittest.TestCase):
             self.assertTrue(never[board]["never tried"], board)
 
 
-class Images(unittest.TestCase):
+class Images(Planted):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.top = pathlib.Path(self.folder.name)
-        self.out = self.top / "out"
+        super().setUp()
+        self.out = self.root / "out"
 
     def source(self, text):
         """A tree with the Pico alone."""
-        source = self.top / "source"
+        source = self.root / "source"
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
                 (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md) [boards](../host/share/doc/boards.md)\n"),
@@ -96,7 +94,7 @@ class Images(unittest.TestCase):
             folder.mkdir(parents=True, exist_ok=True)
             for kind in kinds:
                 (folder / f"fencepost.{kind}").write_bytes(f"{board} {kind}".encode())
-        images.make(self.source(text), self.top / "build", self.out, "1.2.3", build)
+        images.make(self.source(text), self.root / "build", self.out, "1.2.3", build)
 
     def test_leaves_images_pages_and_sums(self):
         self.make()

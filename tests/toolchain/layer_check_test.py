@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Plants one fault of each kind in a small clean tree and expects exactly that fault, by file, line and rule."""
 
-import pathlib
-import tempfile
 import unittest
 
 from layer_check import check
+from planted import Planted
 
 CLEAN = {
     "CMakeLists.txt": "project(x)  # file(GLOB) would be refused\nadd_subdirectory(hal)\n",
@@ -112,15 +111,8 @@ INNOCENT = [
 ]
 
 
-class LayerCheck(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name).resolve()
-        for name, text in CLEAN.items():
-            path = self.root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+class LayerCheck(Planted):
+    FILES = CLEAN
 
     def found(self, rooms=ROOMS, counted_as=None):
         faults, checked = check(self.root, rooms, counted_as or {})

@@ -3,22 +3,18 @@
 
 import pathlib
 import subprocess
-import tempfile
 import unittest
+
+from planted import Planted
 
 MATRIX = pathlib.Path(__file__).parents[2] / "toolchain/matrix"
 
 
-class Matrix(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class Matrix(Planted):
     def compare(self, *scripts, lines=2):
         command = [str(MATRIX), "--only", "none", "--lines", str(lines)]
         for number, script in enumerate(scripts):
-            program = self.folder / f"probe{number}"
+            program = self.root / f"probe{number}"
             program.write_text(f"#!/bin/sh\n{script}\n")
             program.chmod(0o755)
             command += ["--with", f"build{number}={program}"]

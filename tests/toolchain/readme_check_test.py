@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """A small tree whose pages are true, then with one fault of each kind."""
 
-import pathlib
-import tempfile
 import unittest
 
 from readme_check import ARCHITECTURE, EQUATIONS, INDEX, PAPER, PROMISE, README_LINES, SETTINGS, ZONES, check
+from planted import Planted
 
 SAFETY = "host/share/doc/safety.md"
 TREE = {
@@ -66,15 +65,8 @@ FAULTS = [
 ]
 
 
-class ReadmeCheck(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name).resolve()
-        for name, text in TREE.items():
-            path = self.root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+class ReadmeCheck(Planted):
+    FILES = TREE
 
     def test_true_ones_have_no_faults_and_were_compared(self):
         self.assertEqual(check(self.root), ([], 30))

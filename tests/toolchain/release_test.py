@@ -9,8 +9,9 @@ import importlib.util
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from planted import Planted
 
 ROOT = pathlib.Path(sys.argv.pop(1))
 loader = importlib.machinery.SourceFileLoader("release", str(ROOT / "toolchain/release"))
@@ -58,16 +59,13 @@ out.mkdir()
 }
 
 
-class Release(unittest.TestCase):
+class Release(Planted):
+    FILES = TREE
+
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        for name, text in TREE.items():
-            path = self.root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-            path.chmod(0o755)
+        super().setUp()
+        for name in TREE:
+            (self.root / name).chmod(0o755)
 
     def git(self, *words):
         subprocess.run(["git", "-c", "user.name=n", "-c", "user.email=e", *words], cwd=self.root, check=True, capture_output=True)

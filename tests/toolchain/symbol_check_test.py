@@ -7,8 +7,9 @@ Compiles a tiny offender of each kind and expects symbol_check.py to name the ki
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from planted import Planted
 
 HERE = pathlib.Path(__file__).parent
 COMPILER = "c++"
@@ -37,17 +38,12 @@ float f(float x, char* to, const char* from, unsigned long n) {
 """
 
 
-class SymbolCheck(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class SymbolCheck(Planted):
     def check(self, source, *options):
-        (self.folder / "a.cpp").write_text(source)
-        object_file = str(self.folder / "a.o")
-        subprocess.run([COMPILER, "-std=c++20", "-O2", "-c", str(self.folder / "a.cpp"), "-o", object_file], check=True)
-        archive = str(self.folder / "a.a")
+        (self.root / "a.cpp").write_text(source)
+        object_file = str(self.root / "a.o")
+        subprocess.run([COMPILER, "-std=c++20", "-O2", "-c", str(self.root / "a.cpp"), "-o", object_file], check=True)
+        archive = str(self.root / "a.a")
         subprocess.run(["ar", "rcs", archive, object_file], check=True)
         command = [sys.executable, "-B", str(HERE / "symbol_check.py"), *options, archive]
         done = subprocess.run(command, capture_output=True, text=True, check=False)

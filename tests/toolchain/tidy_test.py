@@ -6,17 +6,16 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from planted import Planted
 
 HERE = pathlib.Path(__file__).parent
 
 
-class Tidy(unittest.TestCase):
+class Tidy(Planted):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name).resolve()
+        super().setUp()
         shutil.copy(HERE.parents[1] / ".clang-tidy", self.root)
         (self.root / "hal").mkdir()
         self.source = self.root / "hal/a.cpp"

@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 """Plants one fault of each kind in a small tree, and expects exactly that fault."""
 
-import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import words_check
 from words_check import check
+from planted import Planted
 
 LONG = "This sentence has one word more than " + "the rule " * 9 + "allows"  # 26 words
 CLEAN = {
@@ -60,14 +59,8 @@ GOOD = [
 ]
 
 
-class WordsCheck(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.root = pathlib.Path(self.folder.name).resolve()
-        for name, text in CLEAN.items():
-            (self.root / name).parent.mkdir(exist_ok=True)
-            (self.root / name).write_text(text)
+class WordsCheck(Planted):
+    FILES = CLEAN
 
     def append(self, name, text):
         before = CLEAN.get(name, "")
