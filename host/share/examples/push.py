@@ -7,6 +7,7 @@ CAMERA is pixy2 or pixy2.1, HEIGHT that of its lens above the floor, in metres.
 --stay sends the camera's height alone, to a robot whose wheels count.
 Needs pyserial: python -m pip install pyserial
 """
+import binascii
 import sys
 import time
 
@@ -31,12 +32,7 @@ if words[0] != "--lines":
 
 
 def say(body):
-    crc = 0xFFFF  # CRC-16/CCITT, begun with ones
-    for byte in body.encode():
-        crc ^= byte << 8
-        for _ in range(8):
-            crc = (crc << 1 ^ (0x1021 if crc & 0x8000 else 0)) & 0xFFFF
-    line = f"${body}*{crc:04X}\n"
+    line = f"${body}*{binascii.crc_hqx(body.encode(), 0xFFFF):04X}\n"  # CRC-16/CCITT, begun with ones
     if port is None:
         print(line, end="", flush=True)
     else:

@@ -6,6 +6,7 @@ starts ours without one. Each has to come up, break no rule of its part, and dri
 holds the motors until it may drive. IMAGES: the folder of the presets' folders. TABLES: tests/hal/boards.
 """
 
+import binascii
 import csv
 import math
 import pathlib
@@ -178,17 +179,8 @@ class Starts(unittest.TestCase):
         self.assertEqual(part.reset_pins(), (21, 21))
 
 
-def crc(text):
-    value = 0xFFFF
-    for byte in text.encode():
-        value ^= byte << 8
-        for _ in range(8):
-            value = (value << 1 ^ 0x1021 if value & 0x8000 else value << 1) & 0xFFFF
-    return value
-
-
 def record(body):
-    return f"${body}*{crc(body):04X}\r\n".encode()
+    return f"${body}*{binascii.crc_hqx(body.encode(), 0xFFFF):04X}\r\n".encode()
 
 
 class Lens:

@@ -10,6 +10,7 @@ In a notebook, pandas.DataFrame(log.odometry) is a table. A live robot:
 
     for record in fencepost.records(serial.Serial("/dev/ttyACM0", 115200)): ...
 """
+import binascii
 import collections
 import gzip
 import json
@@ -226,12 +227,7 @@ class _Bad(Exception):
 
 def crc(text: str) -> str:
     """CRC-16/CCITT-FALSE of what stands between `$` and `*`, as it is written."""
-    value = 0xFFFF
-    for byte in text.encode("latin-1"):
-        value ^= byte << 8
-        for _ in range(8):
-            value = (value << 1 ^ 0x1021 if value & 0x8000 else value << 1) & 0xFFFF
-    return "%04X" % value
+    return "%04X" % binascii.crc_hqx(text.encode("latin-1"), 0xFFFF)
 
 
 def _integer(field: str) -> int:
