@@ -178,7 +178,7 @@ the console, webcams and films. Here it is a Pixy2, in two terminals in the top 
     fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot host/share/doc/sensors/pixy2.json --seconds 14 --log run.log
 
 Each camera has a scene beside its page, a red box 1.8 m ahead of a robot that stops before it. A CMUcam is run with
-`settle=0`.
+`settle=0`. [`fencepost doctor --camera KIND:PLACE`](doctor.md#devices) tries a real one.
 
 )" + live_table(Use::kCamera, "camera") +
          "\n" + live_table(Use::kOdometry, "odometry");

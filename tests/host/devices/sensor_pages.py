@@ -66,15 +66,12 @@ def shown_place(device, place):
 
 
 def facts(device, _pins, _sources):
-    rows = [[f"`{device.name}`", ""]]
-    if device.tells:
-        rows.append(["it tells", device.tells])
+    lines = [f"- It tells {device.tells}."] if device.tells else []
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
-        rows.append(["lens", f"{across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}"])
-    if device.options:
-        rows.append(["options", "; ".join(option.replace("|", "\\|") for option in device.options)])
-    return table(rows) if rows[1:] else ""
+        lines.append(f"- Lens: {across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}.")
+    lines += [f"- Option {option}." for option in device.options]
+    return "\n".join(paragraph(line, "  ") for line in lines)
 
 
 def pin(cell):
@@ -180,8 +177,7 @@ def run(device, _pins, _sources):
     parts = []
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
-    lines = [] if not device.places else [f"    fencepost doctor --{kind(device)} {device.name}:{shown_place(device, line_of(device))}{unsettled(device)} --robot robot.json{colours(line_of(device))}"]
-    lines += ["    " + line for line in places_lines(device)]
+    lines = ["    " + line for line in places_lines(device)]
     if lines:
         parts.append("With a [robot file](../live.md#robot-file):\n\n" + "\n".join(lines))
     if device.name == "encoders":
