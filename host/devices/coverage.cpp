@@ -45,7 +45,7 @@ bool is_played(const Row& row, PlaceKind link) {
 }
 
 std::string emulator(const Row& row, PlaceKind link, const Tried& tried) {
-  if (is_played(row, link)) return "`emulate`";
+  if (is_played(row, link)) return "emulate";
   return tried.bench.empty() && tried.guest.empty() ? kNothing : "in tests";
 }
 
@@ -63,21 +63,19 @@ std::string others(const Row& row, PlaceKind link, const Tried& tried) {
 }  // namespace
 
 std::string coverage_table() {
-  std::string text =
-      "| device | link | emulator | guest kernel | other people's software |\n"
-      "|---|---|---|---|---|\n";
+  std::string text = "device,link,emulator,guest kernel,other people's software\n";
   for (const Row& row : catalogue()) {
     if (!row.live->has_value()) continue;
     for (const PlaceKind link : kLinks) {
       if (!has((*row.live)->places, link)) continue;
       const Tried tried = tried_on(row, link);
-      text += fmt::format("| `{}` | {} | {} | {} | {} |\n", *row.name, link_name(link), emulator(row, link, tried),
+      text += fmt::format("{},{},{},{},\"{}\"\n", *row.name, link_name(link), emulator(row, link, tried),
                           guest(link, tried), others(row, link, tried));
     }
   }
   for (const config::DeviceInfo& odometry : config::kOdometries) {
     if (odometry.port != config::Port::kPins) continue;
-    text += fmt::format("| `{}` | pins | boards' emulators | | emulator only |\n", odometry.name);
+    text += fmt::format("{},pins,boards' emulators,,\"emulator only\"\n", odometry.name);
   }
   return text;
 }

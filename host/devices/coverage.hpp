@@ -1,4 +1,4 @@
-// How far each device is covered on each of its links: the table of tests/results/devices.md.
+// How far each device is covered on each of its links: tests/results/devices.csv, for reviewers.
 #pragma once
 
 #include <string>

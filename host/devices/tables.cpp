@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "host/devices/catalogue.hpp"
-#include "host/devices/coverage.hpp"
 #include "host/devices/open_devices.hpp"
 #include "host/text/device_word.hpp"
 
@@ -182,17 +181,6 @@ Each camera has a scene beside its page, a red box 1.8 m ahead of a robot that s
 
 )" + live_table(Use::kCamera, "camera") +
          "\n" + live_table(Use::kOdometry, "odometry");
-}
-
-std::string devices_results() {
-  return R"(# Devices: what was tried with what
-
-From the catalogue (`host/devices`). **No line was tried with the device itself.** `emulator only`: no other people's
-software was at the emulator, and nobody's firmware or recording at the driver. Both follow the same documents and can
-be wrong alike. Emulator: `emulate` has the link, or a test alone. Guest kernel: the bus of a real kernel
-(`toolchain/guest`); a serial line needs none.
-
-)" + coverage_table();
 }
 
 std::string device_facts() {

@@ -14,9 +14,6 @@ std::string help_for(Use use, std::span<const std::string> kinds = {});
 /// The whole of share/doc/devices.md.
 std::string devices_document();
 
-/// The whole of tests/results/devices.md, for reviewers.
-std::string devices_results();
-
 /// The whole of tests/host/devices/facts.txt, of which the devices' pages are made: lens, remedy, what each can tell.
 std::string device_facts();
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SOURCES = HERE.parents[2]
-PAGES = ("host/share/doc/devices.md", "tests/results/devices.md", "tests/host/devices/facts.txt")
+PAGES = ("host/share/doc/devices.md", "tests/results/devices.csv", "tests/host/devices/facts.txt")
 
 
 def python(script, *arguments):
