@@ -48,8 +48,8 @@ class Guide(unittest.TestCase):
             self.assertTrue((GUIDE.parent / name).is_file(), name)
 
     def test_the_bench_and_its_form_have_the_same_steps(self):
-        steps = [re.findall(r"^\| (\d+) ", (TOP / name).read_text(encoding="utf-8"), re.M)
-                 for name in ("firmware/BENCH.md", ".github/ISSUE_TEMPLATE/bench.md")]
+        steps = [re.findall(row, (TOP / name).read_text(encoding="utf-8"), re.M)
+                 for row, name in ((r"^\| (\d+) ", "firmware/BENCH.md"), (r"^- (\d+) ", ".github/ISSUE_TEMPLATE/bench.md"))]
         self.assertEqual(steps[0], [str(n + 1) for n in range(len(steps[0]))])
         self.assertEqual(*steps)
         self.assertGreaterEqual(len(steps[0]), 20)
