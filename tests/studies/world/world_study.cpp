@@ -48,11 +48,13 @@ struct KittiRow {
 std::string row_of(const KittiRow& row, const std::string& correct, const KittiScore& score) {
   const auto lost = std::ranges::count_if(score.end_error, [](double error) { return error > kLost; });
   const double ten_minutes = score.seconds / 600;
+  const std::string ends =
+      lost == 0 ? "0" : fmt::format("{} of {}, to {:.1f} m", lost, score.drives, std::ranges::max(score.end_error));
   const std::string moving = row.configured.identity ? fmt::format(" ({} moving)", score.moving) : "";
-  return fmt::format("| {} | {} | {} of {} | {}{} | {} of {} | {:.1f} m | {} / {} % | {:.1f} | {:.1f} |\n", row.what,
-                     correct, score.found, score.found + score.missed, score.phantoms, moving, lost, score.drives,
-                     std::ranges::max(score.end_error), median_percent(score.recklessness),
-                     median_percent(score.paranoia), static_cast<double>(score.stops) / ten_minutes,
+  return fmt::format("| {} | {} | {} of {} | {}{} | {} | {} / {} % | {:.1f} | {:.1f} |\n", row.what, correct,
+                     score.found, score.found + score.missed, score.phantoms, moving, ends,
+                     median_percent(score.recklessness), median_percent(score.paranoia),
+                     static_cast<double>(score.stops) / ten_minutes,
                      static_cast<double>(score.empty_stops) / ten_minutes);
 }
 
@@ -74,8 +76,8 @@ void measure_kitti(const Request& request) {
                                       {"detector, pitch 0", {0.0, false, true}},
                                       {"detector, pitch unknown", {std::nullopt, false, true}}};
   print(
-      "\n| KITTI, configured | `correct.pose` | found | phantoms | lost | worst end | R / P | STOPs | empty |\n"
-      "|---|---|---|---|---|---|---|---|---|\n");
+      "\n| KITTI, configured | `correct.pose` | found | phantoms | lost | R / P | STOPs | empty |\n"
+      "|---|---|---|---|---|---|---|---|\n");
   for (const KittiRow& row : rows) {
     if (std::string_view(row.what).find(request.only) == std::string_view::npos) continue;
     for (const std::string& correct : request.correct)
