@@ -36,6 +36,31 @@ float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float 
   return range > 0 ? std::sqrt(std::max(0.0F, cylinder.covariance.along(away / -range))) : 0.0F;
 }
 
+// A thing that approaches by itself is farther than its edges say, and passes farther aside. A thing on a base is where
+// they say. So the margin is not for what rows put farther: only contact with the body counts.
+bool touches(const SweptByBody& swept, const recon::ObjectCore& object, const Vec2& center, const Vec2& lens) {
+  const float radius = object.cylinder.estimate().radius;
+  if (!swept.touches(center, radius)) return false;
+  const float margin = swept.path().half_width - swept.path().body_radius;
+  return swept.touches(center, radius - margin) || !object.cylinder.rows_put_farther(lens);
+}
+
+// `center`: of the outline, robot frame. In steps that no path of the robot's width passes between.
+bool touches(const SweptByBody& swept, const recon::OutlineView& outline, const Vec2& center, const RobotPlace& robot) {
+  const std::size_t sides = outline.offsets.size();
+  Vec2 corner = center + robot.see(outline.corner(sides - 1));
+  for (std::size_t k = 0; k < sides; ++k) {
+    const Vec2 next = center + robot.see(outline.corner(k));
+    const Vec2 side = next - corner;
+    const float pieces = std::ceil(side.norm() / swept.path().half_width);
+    for (float i = 0; i < pieces; ++i) {
+      if (swept.touches(corner + i / pieces * side, 0)) return true;
+    }
+    corner = next;
+  }
+  return false;
+}
+
 }  // namespace
 
 RobotPlace::RobotPlace(const recon::MapPose& pose) : position(pose.position) {
@@ -58,7 +83,8 @@ void set_closing(const RobotPath& path, Obstacle& obstacle) { set_closing(path, 
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
-  const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
+  const Vec2 lens = recon::offset_from(object.origin, robot.position);  // nearly
+  const Vec2 away = cylinder.center - lens;
   const Vec2 center = robot.see(away);
   const float range = center.norm();
   Obstacle obstacle;
@@ -68,19 +94,23 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.cut_off = object.cut_off();
   obstacle.guessed = !object.cylinder.known_whole();
   obstacle.overhang = swept.overhang(center);
-  if (swept.touches(center, cylinder.radius)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
+  if (touches(swept, object, center, lens)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
   set_closing(swept.path(), range, obstacle);
   return obstacle;
 }
 
-void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
+void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const SweptByBody& swept,
                         Obstacle& obstacle) {
   if (!outline.known) return;
   std::size_t nearest = 0;
-  const float distance = outline.view.distance_from(recon::offset_from(outline.origin, robot.position), nearest);
+  const Vec2 center = recon::offset_from(robot.position, outline.origin);
+  const float distance = outline.view.distance_from(-center, nearest);
   obstacle.distance = std::max(0.0F, distance);
-  if (obstacle.in_path) obstacle.in_path->sigma = outline.view.sigma(nearest);
-  set_time_to_contact(path, obstacle);
+  if (obstacle.in_path) {
+    obstacle.in_path->sigma = outline.view.sigma(nearest);
+    if (distance > 0 && !touches(swept, outline.view, robot.see(center), robot)) obstacle.in_path.reset();
+  }
+  set_time_to_contact(swept.path(), obstacle);
 }
 
 }  // namespace fencepost::alert

@@ -51,9 +51,9 @@ struct RobotPlace {
 /// Alert model: the cylinder.
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept);
 
-/// The same obstacle with the distance to `outline` and its uncertainty there, if that is known well. Its extent to the
-/// side, which decides what is in the path, stays the cylinder's.
-void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const RobotPath& path,
+/// The same obstacle with the distance to `outline` and its uncertainty there, if that is known well. An outline beside
+/// the path is not in it, though the circle around it may be.
+void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& robot, const SweptByBody& swept,
                         Obstacle& obstacle);
 
 /// Alert model: the hybrid where it is known well, else the cylinder. If the rows have turned out too far, it is the
@@ -64,7 +64,7 @@ Obstacle see_obstacle(const recon::Object<Profile>& object, const RobotPlace& ro
   const bool rows_were_wrong = object.cylinder.row_trend().verdict() == recon::RowVerdict::kTooFar;
   if (obstacle.known && object.hybrid().ok() && !rows_were_wrong) {
     const auto& hybrid = object.hybrid();
-    measure_by_outline({hybrid.outline(), hybrid.origin, hybrid.known_well}, robot, swept.path(), obstacle);
+    measure_by_outline({hybrid.outline(), hybrid.origin, hybrid.known_well}, robot, swept, obstacle);
   }
   return obstacle;
 }

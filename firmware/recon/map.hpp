@@ -46,7 +46,7 @@ class Map {
     FrameOutcome outcome;
     standing_.look(odometry, frame.t - camera.latency);
     LensPose lens = lens_pose(odometry, camera);
-    guard_.look(frame, camera, lens, standing_.since());
+    const LensPose by_odometry = lens;
     table_.start_frame(frame.t - camera.latency, standing_.since());
     const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
@@ -55,6 +55,7 @@ class Map {
       return correction_.place_of(object, slot, look);
     };
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
+    guard_.look(frame, camera, by_odometry, standing_.since(), known_feet(lens));
     matcher_.observe(frame, camera, table_.objects());
     matcher_.tell_widths(width_of);
     outcome.matched = matcher_.match(table_.ids().cost());
@@ -105,6 +106,26 @@ class Map {
   [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return matcher_.blob_of(slot); }
 
  private:
+  // Of things that the guard can see and the map knows whole.
+  [[nodiscard]] guard::KnownFeet known_feet(const LensPose& lens) const {
+    constexpr float kReach = 0.001F * guard::kForgotten;
+    guard::KnownFeet feet;
+    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+      const ObjectType& object = slots()[o];
+      const float depth = matcher_.prediction(o).depth;  // 0: it has no place
+      if (!(depth > 0 && depth < kReach) || !object.confirmed || object.moving) continue;
+      const CylinderEstimate& cylinder = object.cylinder.estimate();
+      if (!cylinder.ok() || !object.cylinder.known_whole()) continue;
+      const Vec2 center = to_camera(lens, cylinder.center - lens.lens_from(object.origin));
+      const float along = cylinder.radius + kUsualSigmas * cylinder.outline_sigma();
+      const auto millimetres = [](float metres) { return nearest_whole(kMillimetresPerMetre * metres); };
+      static_cast<void>(feet.push_back({millimetres(center.x() - along), millimetres(center.x() + along),
+                                        millimetres(center.y() + cylinder.radius),
+                                        millimetres(center.y() - cylinder.radius), object.signature}));
+    }
+    return feet;
+  }
+
   [[gnu::noinline]] void chain_digest(const WaitingFrame& frame, const MapPose& pose) {
     constexpr std::size_t kObjects = Profile::kObjects;
     base::Fnv1a64 hash;

@@ -101,7 +101,27 @@ struct FootLine {
 
 using FootLines = base::FixedVector<FootLine, sensor::kMaxBlobs>;
 
-FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
+// A box has one lowest row for all its columns. In some of them it shows the side of the thing, or another thing behind
+// it, whose foot is farther away. Where the map knows the thing at that row, its foot is no wider than the thing.
+void keep_within(const KnownFeet& known, std::int32_t gate, std::int32_t left_slope, std::int32_t right_slope,
+                 FootLine& foot) {
+  std::int32_t left = INT32_MIN;
+  std::int32_t right = INT32_MAX;
+  for (const KnownFoot& thing : known) {
+    if (thing.signature != foot.signature || foot.depth < thing.nearest - gate) continue;
+    if (!foot.cut && foot.depth > thing.farthest + gate) continue;
+    const std::int32_t most = times(left_slope > 0 ? thing.farthest : thing.nearest, left_slope);
+    const std::int32_t least = times(right_slope < 0 ? thing.farthest : thing.nearest, right_slope);
+    if (most < thing.right || least > thing.left) continue;
+    left = std::max(left, thing.left);
+    right = std::min(right, thing.right);
+  }
+  if (right > left) return;
+  foot.line_left = std::min(foot.line_left, left);
+  foot.line_right = std::max(foot.line_right, right);
+}
+
+FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob, const KnownFeet& known) {
   const FloorCamera& floor = camera.floor;
   const Box& box = blob.box;
   const Sides sides = cut_by_border(camera, box);
@@ -127,7 +147,8 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob) {
   const std::int32_t beyond = foot.cut ? 0 : kBeyondSide;
   foot.line_left = times(foot.line, left.slope) + (sides.left ? beyond : 0);
   foot.line_right = times(foot.line, right.slope) - (sides.right ? beyond : 0);
-  foot.wanted.add(foot.line_right, foot.line_left);
+  keep_within(known, support, left.slope, right.slope, foot);
+  if (foot.line_right <= foot.line_left) foot.wanted.add(foot.line_right, foot.line_left);
   return foot;
 }
 
@@ -230,7 +251,7 @@ void GuardCore::follow(std::span<Front> fronts, const MapPoint& robot) {
 }
 
 std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
-                            const LensPose& pose, base::Time stands_since) {
+                            const LensPose& pose, base::Time stands_since, const KnownFeet& known) {
   if (!camera.floor.usable()) return size_;
   const base::Time t = frame.t - camera.latency;
   pass_time(store.first(size_), t);
@@ -238,7 +259,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
   const Lens lens = lens_of(pose, origin_);
   FootLines feet;
   for (const WaitingBlob& blob : frame.blobs) {
-    if (!blob.bearing) static_cast<void>(feet.push_back(foot_line(camera, blob)));
+    if (!blob.bearing) static_cast<void>(feet.push_back(foot_line(camera, blob, known)));
   }
 
   const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));

@@ -1,6 +1,7 @@
 // The guard beside the map: where the feet of blobs were seen, as points on the floor. It has no objects, identities or
 // models. It therefore keeps a wall without visible ends as well as a post, and what the map has just lost. A later
-// frame that looks past a point refutes it. Points below or beside the image stay as they were.
+// frame that looks past a point refutes it. Points below or beside the image stay as they were. The map only tells it
+// how wide the foot of a known thing can be.
 //
 // In: frames as the camera sent them, and the robot's pose by odometry alone, for a corrected one may jump. Needs the
 // camera's pitch and height. It takes every row for a foot on the floor: things that hang above the floor are nearer
@@ -21,6 +22,17 @@
 
 namespace fencepost::recon::guard {
 
+/// Where the foot of a thing of the map can be: the lens's frame, mm.
+struct KnownFoot {
+  std::int32_t nearest = 0;   ///< least depth
+  std::int32_t farthest = 0;  ///< greatest depth
+  std::int32_t left = 0;      ///< its ends to the side
+  std::int32_t right = 0;
+  std::uint8_t signature = 0;
+};
+/// By design; what is known of more is not used.
+using KnownFeet = base::FixedVector<KnownFoot, 16>;
+
 /// The same for all capacities.
 class GuardCore {
  public:
@@ -29,7 +41,7 @@ class GuardCore {
  protected:
   /// The fronts of this frame, and what it says of those known before. Returns the number of points then.
   [[gnu::noinline]] std::size_t look(std::span<Front> store, const WaitingFrame& frame, const CameraModel& camera,
-                                     const LensPose& pose, base::Time stands_since);
+                                     const LensPose& pose, base::Time stands_since, const KnownFeet& known);
   void hash_part(base::Fnv1a64& hash, std::span<const Front> fronts, std::uint32_t turn) const;
 
   std::uint8_t size_ = 0;
@@ -55,8 +67,9 @@ class Guard : public GuardCore {
   void clear() { static_cast<GuardCore&>(*this) = {}; }
 
   /// `pose`: of the lens at the exposure, by odometry. `stands_since`: see Standing.
-  void look(const WaitingFrame& frame, const CameraModel& camera, const LensPose& pose, base::Time stands_since) {
-    size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, pose, stands_since));
+  void look(const WaitingFrame& frame, const CameraModel& camera, const LensPose& pose, base::Time stands_since,
+            const KnownFeet& known = {}) {
+    size_ = static_cast<std::uint8_t>(GuardCore::look(fronts_, frame, camera, pose, stands_since, known));
   }
 
   [[nodiscard]] std::span<const Front> fronts() const { return {fronts_.data(), size_}; }

@@ -285,6 +285,13 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
   return estimate;
 }
 
+bool Cylinder::rows_put_farther(const Vec2& lens) const {
+  const NormalEquations rows = independent_rows();
+  const CylinderEstimate from_edges = by_edges(lens);
+  if (!(rows.information.rr > 0 && from_edges.covariance.xx > 0)) return false;
+  return farther_by(rows, from_edges) > kGateSigmas;
+}
+
 NormalEquations Cylinder::trend_line(const MeasurementNoise& noise) const {
   NormalEquations line;
   const RowTrend::Front front = trend_.front();

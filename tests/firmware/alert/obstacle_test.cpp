@@ -48,14 +48,14 @@ TEST(Obstacle, DistanceIsToTheOutlineWhereThatIsKnownWell) {
   const Obstacle cylinder = alert::see_obstacle(known_object(1.0, 0, 0.1), robot, alert::SweptByBody(driving(0.2F)));
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = cylinder;
-  alert::measure_by_outline(placed(box, {100'000, 0}), robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(box, {100'000, 0}), robot, alert::SweptByBody(driving(0.2F)), seen);
   EXPECT_NEAR(seen.distance, 0.95F, 1e-3F);
   ASSERT_TRUE(seen.in_path);
   EXPECT_NEAR(seen.in_path->sigma, 0.004F, 2e-4F);
   EXPECT_NEAR(seen.ttc, (0.95F - 0.1F) / 0.2F, 0.02F);
   const BoxOutline unsure(kDepth, kWidth, 0.06F);  // its mean support value is 0.13 m
   seen = cylinder;
-  alert::measure_by_outline(placed(unsure, {100'000, 0}), robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(unsure, {100'000, 0}), robot, alert::SweptByBody(driving(0.2F)), seen);
   EXPECT_EQ(seen.distance, cylinder.distance);
   EXPECT_EQ(seen.ttc, cylinder.ttc);
 }
@@ -64,9 +64,48 @@ TEST(Obstacle, AnOutlineBesideThePathTakesNoneIntoIt) {
   const alert::RobotPlace robot({{0, 0}, 0});
   const BoxOutline box(kDepth, kWidth, 0.004F);
   Obstacle seen = alert::see_obstacle(known_object(1.0, 0.5, 0.1), robot, alert::SweptByBody(driving(0.2F)));
-  alert::measure_by_outline(placed(box, {100'000, 50'000}), robot, driving(0.2F), seen);
+  alert::measure_by_outline(placed(box, {100'000, 50'000}), robot, alert::SweptByBody(driving(0.2F)), seen);
   EXPECT_NEAR(seen.distance, std::hypot(0.95F, 0.35F), 2e-3F);  // to its nearest corner
   EXPECT_FALSE(seen.in_path);
+}
+
+// The circle around a long thing reaches into the path from either side; the thing does so only across it.
+TEST(Obstacle, ALongOutlineIsInThePathWhereItIs) {
+  const alert::RobotPlace robot({{0, 0}, 0});
+  const alert::SweptByBody swept(driving(0.2F));
+  const auto in_path = [&](const BoxOutline& box, std::int32_t y) {
+    Obstacle seen = alert::see_obstacle(known_object(1.0, 1e-5 * y, 0.6), robot, swept);
+    EXPECT_TRUE(seen.in_path);
+    alert::measure_by_outline(placed(box, {100'000, y}), robot, swept, seen);
+    return seen.in_path.has_value();
+  };
+  const BoxOutline along(1.0F, kDepth, 0.004F);
+  EXPECT_FALSE(in_path(along, 25'000));
+  EXPECT_FALSE(in_path(along, -25'000));
+  EXPECT_TRUE(in_path(along, 15'000));
+  const BoxOutline across(kDepth, 1.0F, 0.004F);  // no corner of it is in the path
+  EXPECT_TRUE(in_path(across, 0));
+  EXPECT_TRUE(in_path(across, -60'000));
+  EXPECT_FALSE(in_path(across, -70'000));
+}
+
+// Rows say that it comes by itself, or stands on a base. Beside the body, within the margin, it is no obstacle.
+TEST(Obstacle, TheMarginIsNotForWhatRowsPutFarther) {
+  const auto seen_at = [](double aside, bool rows) {
+    recon::ObjectCore object = known_object(1.0, aside, 0.1);
+    for (int i = 0; rows && i < 10; ++i) {
+      recon::Sighting sighting = view_of_circle({1.0, aside}, 0.1, {0.01 * i, 0}).sighting;
+      sighting.axis = {1, 0};
+      sighting.rows_known = true;
+      sighting.bottom = {sighting.lens_height / 1.8F, recon::End::kSeen};  // twice as far
+      object.cylinder.add(sighting, object.origin, 1, {});
+      object.cylinder.solve(sighting.lens_from(object.origin), sighting.center, {});
+    }
+    return see_obstacle(object, {{10'000, 0}, 0}, driving(0.2F)).in_path.has_value();
+  };
+  EXPECT_TRUE(seen_at(0.22, false));
+  EXPECT_FALSE(seen_at(0.22, true));
+  EXPECT_TRUE(seen_at(0.18, true)) << "the body touches it";
 }
 
 TEST(Obstacle, InsideTheObjectTheDistanceIsZero) {

@@ -704,7 +704,7 @@ TEST(Map, OfThingsOnALattice) {
     tell_map<config::Small>(draw, sweep, 60);
     tell_map<config::Full>(draw, sweep, 40);
   }
-  expect_said(sweep, {"digest 960 0c2ab152", "matched 925 9bbd2aa1", "born 180 4cb9edca", "pieces 209 cf40f977",
+  expect_said(sweep, {"digest 960 d200d8ca", "matched 925 9bbd2aa1", "born 180 4cb9edca", "pieces 209 cf40f977",
                       "refused 201 80c7356b", "event 1011 a9f609e0", "guard 0 654737f8", "evicted 6 fa581057",
                       "size 0 69488d24"});
 }

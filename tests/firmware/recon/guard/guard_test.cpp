@@ -28,7 +28,7 @@ struct Bench {
   }
   void show(const sensor::BlobFrame& frame, double x = 0, double y = 0) {
     standing.look(pose_at(x, y), base::Time::nearest(t));
-    guard.look(recon::make_waiting(frame, 0), camera, recon::lens_pose(pose_at(x, y), camera), standing.since());
+    guard.look(recon::make_waiting(frame, 0), camera, recon::lens_pose(pose_at(x, y), camera), standing.since(), known);
     t += 1 / rate;
     ++number;
   }
@@ -49,6 +49,7 @@ struct Bench {
 
   recon::CameraModel camera = recon::make_camera_model(level_pixy2());
   recon::guard::Guard<kCapacity> guard;
+  recon::guard::KnownFeet known;
   recon::Standing standing;
   double rate = 10;
   double t = 1;
@@ -83,6 +84,42 @@ TEST(Guard, NoStripOfTheFloorPassesBetweenThePointsOfAWall) {
   int beyond = 0;
   for (const Front& front : bench.guard.fronts()) beyond += std::abs(front.y) > 410 ? 1 : 0;
   EXPECT_GT(beyond, 0);
+}
+
+// A box beside the way has its side's far end in its innermost columns: at the front's depth that is in the way.
+TEST(Guard, AFootIsNoWiderThanTheThingThatTheMapKnows) {
+  const auto innermost = [](const recon::guard::KnownFeet& known, double x = 0.6, std::uint8_t signature = 1) {
+    Bench bench;
+    bench.known = known;
+    for (int i = 0; i < 3; ++i) bench.look({{x, 0.06, 0.25, signature}});
+    EXPECT_FALSE(bench.guard.fronts().empty());
+    int least = 1000;
+    for (const Front& front : bench.guard.fronts()) least = std::min<int>(least, front.y);
+    return least;
+  };
+  recon::guard::KnownFeet known;
+  EXPECT_NEAR(innermost(known), 60, 6);
+  ASSERT_TRUE(known.push_back({600, 760, 280, 120, 1}));
+  EXPECT_NEAR(innermost(known), 120, 6);
+  EXPECT_NEAR(innermost(known, 0.6, 2), 60, 6) << "another signature";
+  EXPECT_NEAR(innermost(known, 0.4), 60, 6) << "nearer than the thing";
+  EXPECT_NEAR(innermost(known, 0.9), 60, 8) << "farther than the thing";
+  ASSERT_TRUE(known.push_back({600, 760, -120, -280, 1}));
+  EXPECT_NEAR(innermost(known), 120, 6) << "that one is beside the box";
+  ASSERT_TRUE(known.push_back({600, 760, 250, 90, 1}));
+  EXPECT_NEAR(innermost(known), 90, 6) << "two in one box";
+}
+
+// A box that goes on below and beside the image has no foot of its own there.
+TEST(Guard, WhatGoesOnBelowTheImageIsWhereTheMapKnowsIt) {
+  const auto points = [&](bool told) {
+    Bench bench;
+    if (told) static_cast<void>(bench.known.push_back({170, 330, 320, 160, 1}));
+    for (int i = 0; i < 3; ++i) bench.look({{0.2, 0.09, 0.4}});
+    return bench.guard.fronts().size();
+  };
+  EXPECT_GT(points(false), 0U);
+  EXPECT_EQ(points(true), 0U);
 }
 
 TEST(Guard, SeenAgainIsNoNewPoint) {

@@ -218,7 +218,26 @@ TEST(Cylinder, RowsAreBeyondTheEdgesOfAThingThatComes) {
       add(cylinder, s);
     }
     EXPECT_EQ(cylinder.rows_beyond_edges(), c.beyond);
+    EXPECT_EQ(cylinder.rows_put_farther({static_cast<float>(c.drives * 0.03 * 35), 0}), c.beyond);
   }
+}
+
+// After a short way noise may have feigned what the edges say. It is said all the same, and taken back.
+TEST(Cylinder, RowsPutAThingFartherBeforeTheEdgesSurelyKnow) {
+  Cylinder cylinder;
+  const auto see = [&](double driven, double comes) {
+    const host::Point center{2.2 - comes * driven, 0.4};
+    recon::Sighting s = view_of_circle(center, kRadius, {driven, 0}).sighting;
+    s.axis = unit(0);
+    stand_on_floor(s, center.x - kRadius - driven);
+    add(cylinder, s);
+    return cylinder.rows_put_farther({static_cast<float>(driven), 0});
+  };
+  EXPECT_FALSE(see(0, 1));
+  int early = 0;
+  for (int i = 1; i < 36 && !cylinder.rows_beyond_edges(); ++i) early += see(0.03 * i, 1) ? 1 : 0;
+  EXPECT_GT(early, 1);
+  EXPECT_TRUE(cylinder.rows_beyond_edges());
 }
 
 // Rows read with a wrong pitch move the estimate, but not the circle of the edges.
