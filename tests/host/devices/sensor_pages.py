@@ -66,7 +66,7 @@ def shown_place(device, place):
 
 
 def facts(device, _pins, _sources):
-    lines = [f"- It tells {device.tells}."] if device.tells else []
+    lines = [f"- It reports {device.tells}."] if device.tells else []
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
         lines.append(f"- Lens: {across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}.")
