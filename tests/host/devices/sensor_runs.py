@@ -22,7 +22,7 @@ from shown_place import shown_place  # noqa: E402
 PATIENCE = 3600  # s of the stage, whose clock may jump while a program starts
 SENTENCES = "host/share/doc/doctor.md"
 EXAMPLE = "host/share/doc/devices.md"
-START = 4  # s: what the slowest takes from being switched on (emulate.md), for which doctor does not wait
+START = 4  # s: what the slowest takes from being switched on, for which doctor does not wait
 
 
 class Wrong(Exception):
