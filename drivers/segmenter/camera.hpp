@@ -36,7 +36,7 @@ constexpr sensor::CameraIntrinsics profile_of(std::uint16_t width, std::uint16_t
 /// Noise is a share of a picture, and a glint's gap one of its width.
 constexpr BlobRules rules_of(std::uint16_t width, std::uint16_t height) {
   BlobRules rules;
-  rules.min_pixels = rules.min_pixels * width / kWidth * height / kHeight;
+  rules.min_pixels = rules.min_pixels * width * height / (kWidth * kHeight);
   rules.max_gap = static_cast<std::uint16_t>(rules.max_gap * width / kWidth);
   return rules;
 }

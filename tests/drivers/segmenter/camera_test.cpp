@@ -111,7 +111,7 @@ TEST(SegmenterProfile, IsThatOfTheSameLens) {
     EXPECT_EQ(profile.cx.raw, 50 * (width - 1));
     EXPECT_EQ(profile.cy.raw, 50 * (height - 1));
     const BlobRules usual, rules = rules_of(static_cast<std::uint16_t>(width), static_cast<std::uint16_t>(height));
-    EXPECT_NEAR(rules.min_pixels, usual.min_pixels * static_cast<double>(width * height) / (320 * 240), 1.5);
+    EXPECT_EQ(rules.min_pixels, usual.min_pixels * static_cast<unsigned>(width * height) / (320 * 240));
     EXPECT_EQ(rules.max_gap, usual.max_gap * width / 320);
   }
 }
