@@ -127,8 +127,7 @@ template <class Profile>
   }
   const float clearance =
       0.5F * memory.settings.number(config::Key::kRobotWidth) + memory.settings.number(config::Key::kRobotMargin);
-  const recon::Vec2 robot = memory.poses.empty() ? recon::Vec2{-recon::kFarthestView, 0}
-                                                 : recon::offset_from(origin, robot_pose(memory).position);
+  const recon::Vec2 robot = recon::offset_from(origin, robot_pose(memory).position);
   return recon::next_view(object.hybrid().outline(), object.hybrid().clusters, robot, others.view(), clearance);
 }
 
