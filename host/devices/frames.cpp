@@ -7,7 +7,7 @@
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
 #include "host/emulate/models/frames.hpp"
-#include "host/live/records_camera.hpp"
+#include "host/live/record_sessions.hpp"
 
 namespace fencepost::devices {
 

@@ -3,7 +3,7 @@
 #include "firmware/config/car.hpp"
 #include "host/devices/options.hpp"
 #include "host/devices/ported.hpp"
-#include "host/live/records_odometry.hpp"
+#include "host/live/record_sessions.hpp"
 
 namespace fencepost::devices {
 

@@ -1,7 +1,7 @@
 // A camera that prints frames, on a serial line through hostile hours.
 #include "drivers/serial/pump.hpp"
 #include "host/emulate/models/frames.hpp"
-#include "host/live/records_camera.hpp"
+#include "host/live/record_sessions.hpp"
 #include "tests/drivers/bench/bench.hpp"
 #include "tests/drivers/bench/cable.hpp"
 #include "tests/drivers/bench/hostile_cases.hpp"
