@@ -1,12 +1,11 @@
 #include "host/calibrate/calibrated_robot.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "host/live/robot_file.hpp"
+#include "host/scene/camera_numbers.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -15,25 +14,6 @@ using Json = nlohmann::ordered_json;
 
 /// To the tenth of a micrometre: counts are of fractions of a millimetre.
 double fine(double value) { return std::round(value * 1e10) / 1e10; }
-
-void put_camera(const sensor::CameraIntrinsics& camera, Json& robot) {
-  Json& out = robot["camera"];
-  out["model"] = std::string(camera.model.view());
-  out["width"] = camera.width;
-  out["height"] = camera.height;
-  out["fx"] = camera.fx.to_double();
-  out["fy"] = camera.fy.to_double();
-  out["cx"] = camera.cx.to_double();
-  out["cy"] = camera.cy.to_double();
-  out["k1"] = camera.k1.to_double();
-  Json mount = {{"x", camera.mount.x.to_double()},
-                {"y", camera.mount.y.to_double()},
-                {"z", camera.mount.z.to_double()},
-                {"yaw", camera.mount.yaw.to_double()}};
-  mount["pitch"] = camera.mount.pitch ? Json(camera.mount.pitch->to_double()) : Json(nullptr);
-  out["mount"] = std::move(mount);
-  out["latency"] = camera.latency.to_double();
-}
 
 /// d = (left + right) / 2 and turn = (right - left) / track. So the turn scale is the steps' scale over the track's. A
 /// metre turns the robot by the difference of the two steps over the track.
@@ -61,17 +41,9 @@ void correct_wheels(const WheelCorrection& found, Json& wheels) {
   wheels.erase("metres_per_tick");
 }
 
-Json signatures_json(const std::vector<record::Signature>& signatures) {
-  Json out = Json::array();
-  for (const record::Signature& signature : signatures) {
-    out.push_back(
-        {{"id", signature.signature},
-         {"name", std::string(signature.name.view())},
-         {"rgb", fmt::format("{:02x}{:02x}{:02x}", signature.rgb.red, signature.rgb.green, signature.rgb.blue)}});
-    if (signature.width > 0) out.back()["size"] = signature.width / 1e3;
-    if (signature.pad != 0) out.back()["pad"] = signature.pad;
-  }
-  return out;
+Json signature_json(const record::Signature& signature) {
+  return host::signature_json(
+      {signature.signature, std::string(signature.name.view()), signature.rgb, signature.width, signature.pad});
 }
 
 /// A signature that the robot has keeps all else.
@@ -82,7 +54,7 @@ void put_pads(const Calibration& found, Json& robot) {
     Json& list = robot["signatures"];
     const auto own = std::ranges::find_if(list, [&](const Json& entry) { return entry.at("id") == pad.signature; });
     if (own == list.end()) {
-      list.push_back(signatures_json({*known}).at(0));
+      list.push_back(signature_json(*known));
     } else {
       (*own)["pad"] = known->pad;
     }
@@ -99,9 +71,11 @@ base::Result<std::string, RobotProblem> calibrated_robot(const Calibration& cali
     if (!checked) return RobotProblem{checked.error()};
     robot = Json::parse(base);
   }
-  put_camera(calibration.found, robot);
-  if (!robot.contains("signatures") && !calibration.signatures.empty()) {
-    robot["signatures"] = signatures_json(calibration.signatures);
+  robot["camera"].update(camera_json(calibration.found));
+  if (!robot.contains("signatures")) {
+    for (const record::Signature& signature : calibration.signatures) {
+      robot["signatures"].push_back(signature_json(signature));
+    }
   }
   put_pads(calibration, robot);
   if (robot.contains("wheels")) correct_wheels(calibration.wheels, robot["wheels"]);

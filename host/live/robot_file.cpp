@@ -12,75 +12,6 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kMaxPitch = 0.7;         // rad, as in scene files
-constexpr double kLongestFocus = 32'767;  // px, the stream's range
-
-template <class Quantity>
-void read_quantity(const JsonNode& node, std::string_view key, double low, double high, std::string_view unit,
-                   std::optional<Quantity>& into) {
-  if (const auto found = node.find(key)) into = Quantity::nearest(found->number(low, high, unit));
-}
-
-template <class Whole>
-void read_whole(const JsonNode& node, std::string_view key, std::int64_t low, std::int64_t high,
-                std::optional<Whole>& into) {
-  if (const auto found = node.find(key)) into = static_cast<Whole>(found->integer(low, high));
-}
-
-sensor::CameraMount read_mount(const JsonNode& node) {
-  node.expect_keys({"x", "y", "z", "yaw", "pitch"});
-  sensor::CameraMount mount;
-  mount.x = base::Metres::nearest(node.number_or("x", 0, -10, 10, "m"));
-  mount.y = base::Metres::nearest(node.number_or("y", 0, -10, 10, "m"));
-  mount.z = base::Metres::nearest(node.number_or("z", 0, 0, 10, "m"));
-  mount.yaw = base::Radians::nearest(node.number_or("yaw", 0, -kTurn, kTurn, "rad"));
-  const auto pitch = node.find("pitch");
-  if (!pitch || !pitch->is_null()) {
-    mount.pitch = base::Radians::nearest(pitch ? pitch->number(-kMaxPitch, kMaxPitch, "rad") : 0);
-  }
-  return mount;
-}
-
-CameraNumbers read_camera_numbers(const JsonNode& node) {
-  node.expect_keys(
-      {"model", "width", "height", "fx", "fy", "cx", "cy", "k1", "lens", "mount", "latency", "rate", "max_blobs"});
-  CameraNumbers camera;
-  if (const auto model = node.find("model")) {
-    const std::string text = model->text();
-    if (text.size() > sensor::kMaxText) {
-      model->fail("has " + std::to_string(text.size()) + " characters", "use at most 32");
-    }
-    camera.model = sensor::Text(text);
-  }
-  read_whole(node, "width", 2, 32'767, camera.width);
-  read_whole(node, "height", 2, 32'767, camera.height);
-  read_quantity(node, "fx", 1, kLongestFocus, "px", camera.fx);
-  read_quantity(node, "fy", 1, kLongestFocus, "px", camera.fy);
-  read_quantity(node, "cx", -32'768, 32'767, "px", camera.cx);
-  read_quantity(node, "cy", -32'768, 32'767, "px", camera.cy);
-  read_quantity(node, "k1", -1, 1, "", camera.k1);
-  if (const auto lens = node.find("lens")) camera.lens = read_lens(*lens);
-  read_quantity(node, "latency", 0, 10, "s", camera.latency);
-  if (const auto mount = node.find("mount")) camera.mount = read_mount(*mount);
-  return camera;
-}
-
-std::vector<record::Signature> read_signatures(const JsonNode& node) {
-  std::vector<record::Signature> signatures;
-  const std::size_t count = node.size(0, "signatures");
-  for (std::size_t i = 0; i < count; ++i) {
-    const SceneSignature read = read_signature(node.at(i));
-    for (const record::Signature& other : signatures) {
-      if (other.signature != read.id) continue;
-      node.at(i).at("id").fail("signature " + std::to_string(read.id) + " is there twice",
-                               "give each signature an id of its own");
-    }
-    signatures.push_back({read.id, read.rgb, sensor::Text(read.name), read.pad, read.width});
-  }
-  return signatures;
-}
-
 /// [least, greatest]
 JsonNode read_pair(const JsonNode& node, std::string_view channel) {
   JsonNode pair = node.at(channel);
@@ -223,7 +154,11 @@ RobotFile read_robot(const JsonNode& root) {
                     "seed", "objects", "path", "odometry", "noise"});
   RobotFile robot;
   if (const auto camera = root.find("camera")) robot.camera = read_camera_numbers(*camera);
-  if (const auto signatures = root.find("signatures")) robot.signatures = read_signatures(*signatures);
+  if (const auto signatures = root.find("signatures")) {
+    for (const SceneSignature& read : read_signatures(*signatures)) {
+      robot.signatures.push_back({read.id, read.rgb, sensor::Text(read.name), read.pad, read.width});
+    }
+  }
   if (const auto windows = root.find("windows")) {
     robot.windows = read_windows(*windows);
   } else {
@@ -239,34 +174,14 @@ RobotFile read_robot(const JsonNode& root) {
   return robot;
 }
 
-template <class T>
-void replace(T& value, const std::optional<T>& by) {
-  if (by) value = *by;
-}
-
 }  // namespace
 
-sensor::CameraIntrinsics CameraNumbers::over(sensor::CameraIntrinsics profile) const {
-  replace(profile.model, model);
-  replace(profile.width, width);
-  replace(profile.height, height);
-  replace(profile.fx, fx);
-  replace(profile.fy, fy);
-  replace(profile.cx, cx);
-  replace(profile.cy, cy);
-  replace(profile.k1, k1);
-  replace(profile.lens, lens);
-  replace(profile.mount, mount);
-  replace(profile.latency, latency);
-  return profile;
-}
-
 odometry::WheelBase WheelNumbers::over(odometry::WheelBase wheels) const {
-  replace(wheels.left_pm_per_count, left_pm_per_count);
-  replace(wheels.right_pm_per_count, right_pm_per_count);
-  replace(wheels.track_pm, track_pm);
-  replace(wheels.counter_bits, counter_bits);
-  replace(wheels.max_speed_mm_s, max_speed_mm_s);
+  wheels.left_pm_per_count = left_pm_per_count.value_or(wheels.left_pm_per_count);
+  wheels.right_pm_per_count = right_pm_per_count.value_or(wheels.right_pm_per_count);
+  wheels.track_pm = track_pm.value_or(wheels.track_pm);
+  wheels.counter_bits = counter_bits.value_or(wheels.counter_bits);
+  wheels.max_speed_mm_s = max_speed_mm_s.value_or(wheels.max_speed_mm_s);
   return wheels;
 }
 

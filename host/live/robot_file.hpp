@@ -14,28 +14,9 @@
 #include "drivers/segmenter/camera.hpp"
 #include "firmware/record/records.hpp"
 #include "hal/base/result.hpp"
-#include "hal/sensor/camera.hpp"
+#include "host/scene/camera_numbers.hpp"
 
 namespace fencepost::host {
-
-/// The file's numbers of the camera; the rest stays as in the camera's own profile. Units as in CameraIntrinsics.
-struct CameraNumbers {
-  std::optional<sensor::Text> model;
-  std::optional<std::uint16_t> width;
-  std::optional<std::uint16_t> height;
-  std::optional<base::Pixels2> fx;
-  std::optional<base::Pixels2> fy;
-  std::optional<base::Pixels2> cx;
-  std::optional<base::Pixels2> cy;
-  std::optional<base::Ratio4> k1;
-  std::optional<sensor::Lens> lens;
-  std::optional<sensor::CameraMount> mount;
-  std::optional<base::Duration> latency;
-
-  /// Enough for a camera without a profile.
-  [[nodiscard]] bool complete() const { return width && height && fx && fy && cx && cy; }
-  [[nodiscard]] sensor::CameraIntrinsics over(sensor::CameraIntrinsics profile) const;
-};
 
 /// The file's numbers of the wheels; the rest stays as the driver has it.
 struct WheelNumbers {

@@ -17,7 +17,7 @@ namespace fencepost::host {
 
 namespace {
 
-std::string listed(std::initializer_list<std::string_view> words) {
+std::string listed(const std::vector<std::string_view>& words) {
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
   return list;
@@ -123,7 +123,7 @@ void JsonNode::expect_object() const {
   if (!value_->is_object()) fail("must be an object, not " + kind_of(*value_), "write { ... } here");
 }
 
-void JsonNode::expect_keys(std::initializer_list<std::string_view> allowed) const {
+void JsonNode::expect_keys(const std::vector<std::string_view>& allowed) const {
   expect_object();
   for (const auto& [key, member] : value_->items()) {
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;

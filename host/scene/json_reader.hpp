@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -29,7 +28,7 @@ class JsonNode {
 
   void expect_object() const;
   /// Fails unless this is an object with no other keys than `allowed`; names the nearest one.
-  void expect_keys(std::initializer_list<std::string_view> allowed) const;
+  void expect_keys(const std::vector<std::string_view>& allowed) const;
   [[nodiscard]] bool has(std::string_view key) const;
   /// The keys of an object.
   [[nodiscard]] std::vector<std::string> keys() const;

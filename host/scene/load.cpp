@@ -1,7 +1,6 @@
 #include "host/scene/load.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "host/geometry/planar.hpp"
@@ -12,16 +11,6 @@ namespace fencepost::host {
 namespace {
 
 void check_signatures(const JsonNode& root, const Scene& scene) {
-  for (std::size_t i = 0; i < scene.signatures.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (scene.signatures[k].id != scene.signatures[i].id) continue;
-      root.at("signatures")
-          .at(i)
-          .at("id")
-          .fail("signature " + std::to_string(scene.signatures[i].id) + " is there twice",
-                "give each signature an id of its own");
-    }
-  }
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (!scene.objects[i].trained) continue;
     const auto known = std::any_of(scene.signatures.begin(), scene.signatures.end(),
@@ -89,9 +78,7 @@ Scene read_scene(const JsonNode& root) {
   if (const auto seed = root.find("seed")) scene.seed = seed->unsigned_integer();
   read_camera(root.at("camera"), scene);
   if (const auto robot = root.find("robot")) scene.robot = read_robot_body(*robot);
-  const JsonNode signatures = root.at("signatures");
-  const std::size_t signature_count = signatures.size(0, "signatures");
-  for (std::size_t i = 0; i < signature_count; ++i) scene.signatures.push_back(read_signature(signatures.at(i)));
+  scene.signatures = read_signatures(root.at("signatures"));
   const JsonNode objects = root.at("objects");
   constexpr std::size_t kMaxObjects = 10'000;
   const std::size_t object_count = objects.size(0, "objects");

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <string>
 
+#include "host/scene/noise_rows.hpp"
 #include "host/scene/read_scene.hpp"
 #include "host/scene/rounded_path.hpp"
 #include "host/text/suggest.hpp"
@@ -99,19 +100,15 @@ double duration_of(const Scene& scene) {
   return duration;
 }
 
-/// One number for all colours, or {"id": px} of some.
-void read_edge_bias(const JsonNode& node, const std::vector<SceneSignature>& signatures, SceneNoise& noise) {
-  const auto pixels = [](const JsonNode& number) { return number.number(-100, 100, "px"); };
-  if (!node.is_object()) {
-    noise.edge_bias_px = pixels(node);
-    return;
-  }
+/// {"id": px} of some colours.
+void read_edge_bias(const JsonNode& node, const NoiseRow& row, const std::vector<SceneSignature>& signatures,
+                    SceneNoise& noise) {
   for (const std::string& key : node.keys()) {
     const auto is_it = [&](const SceneSignature& signature) { return std::to_string(signature.id) == key; };
     const auto known = std::find_if(signatures.begin(), signatures.end(), is_it);
     const JsonNode of = node.at(key);
     if (known == signatures.end()) of.fail("signature " + key + " is not defined", "write the id of a signature");
-    noise.edge_bias_of[known->id] = pixels(of);
+    noise.edge_bias_of[known->id] = of.number(row.low, row.high, row.unit);
   }
 }
 
@@ -149,64 +146,19 @@ std::vector<TimedPose> read_object_path(const JsonNode& node) {
 }
 
 SceneNoise read_noise(const JsonNode& node, const std::vector<SceneSignature>& signatures) {
-  node.expect_keys({"edge_px",
-                    "edge_bias_px",
-                    "loss_probability",
-                    "loss_min",
-                    "loss_max",
-                    "split_share",
-                    "growth_probability",
-                    "growth_max",
-                    "miss_probability",
-                    "false_rate",
-                    "signature_swap_probability",
-                    "pose_xy",
-                    "pose_heading",
-                    "drift_scale",
-                    "drift_turn",
-                    "drift_walk",
-                    "gyro_bias",
-                    "gyro_walk",
-                    "gyro_noise",
-                    "gyro_scale",
-                    "steer_offset",
-                    "steer_scale",
-                    "steer_backlash",
-                    "yaw_error",
-                    "pitch_error",
-                    "latency_jitter",
-                    "frame_drop_probability"});
+  std::vector<std::string_view> keys;
+  for (const NoiseRow& row : kNoiseRows) keys.push_back(row.key);
+  node.expect_keys(keys);
   SceneNoise noise;
-  const auto read = [&](std::string_view key, double& value, double low, double high, std::string_view unit) {
-    value = node.number_or(key, value, low, high, unit);
-  };
-  read("edge_px", noise.edge_px, 0, 100, "px");
-  if (const auto bias = node.find("edge_bias_px")) read_edge_bias(*bias, signatures, noise);
-  read("loss_probability", noise.loss_probability, 0, 1, "");
-  read("loss_min", noise.loss_min, 0, 1, "of the width");
-  read("loss_max", noise.loss_max, 0, 1, "of the width");
-  read("split_share", noise.split_share, 0, 1, "of the losses");
-  read("growth_probability", noise.growth_probability, 0, 1, "");
-  read("growth_max", noise.growth_max, 0, 10, "of the width");
-  read("miss_probability", noise.miss_probability, 0, 1, "");
-  read("false_rate", noise.false_rate, 0, 100, "blobs/frame");
-  read("signature_swap_probability", noise.signature_swap_probability, 0, 1, "");
-  read("pose_xy", noise.pose_xy, 0, 10, "m");
-  read("pose_heading", noise.pose_heading, 0, 3.2, "rad");
-  read("drift_scale", noise.drift_scale, -0.9, 10, "of the distance");
-  read("drift_turn", noise.drift_turn, -10, 10, "rad/m");
-  read("drift_walk", noise.drift_walk, 0, 10, "m/sqrt(m)");
-  read("gyro_bias", noise.gyro_bias, -10, 10, "rad/s");
-  read("gyro_walk", noise.gyro_walk, 0, 10, "rad/s/sqrt(s)");
-  read("gyro_noise", noise.gyro_noise, 0, 10, "rad/s");
-  read("gyro_scale", noise.gyro_scale, -0.9, 10, "of the rate");
-  read("steer_offset", noise.steer_offset, -1, 1, "rad");
-  read("steer_scale", noise.steer_scale, -0.9, 10, "of the angle");
-  read("steer_backlash", noise.steer_backlash, 0, 1, "rad");
-  read("yaw_error", noise.yaw_error, -3.2, 3.2, "rad");
-  read("pitch_error", noise.pitch_error, -0.7, 0.7, "rad");
-  read("latency_jitter", noise.latency_jitter, 0, 10, "s");
-  read("frame_drop_probability", noise.frame_drop_probability, 0, 1, "");
+  for (const NoiseRow& row : kNoiseRows) {
+    const auto there = node.find(row.key);
+    if (!there) continue;
+    if (row.value == &SceneNoise::edge_bias_px && there->is_object()) {
+      read_edge_bias(*there, row, signatures, noise);
+    } else {
+      noise.*row.value = there->number(row.low, row.high, row.unit);
+    }
+  }
   if (noise.loss_min > noise.loss_max) {
     node.fail("loss_min is greater than loss_max", "swap them; the defaults are 0.1 and 0.5");
   }

@@ -7,9 +7,8 @@
 namespace fencepost::host {
 
 void read_camera(const JsonNode& node, Scene& scene);
-/// "pinhole" or "equidistant".
-sensor::Lens read_lens(const JsonNode& node);
-SceneSignature read_signature(const JsonNode& node);
+/// At least `least`, each number once.
+std::vector<SceneSignature> read_signatures(const JsonNode& node, std::size_t least = 0);
 SceneObject read_object(const JsonNode& node, std::size_t index);
 /// Polygon (closed or open rings, holes allowed) or {"circle": [x, y, r]}; valid, oriented, rings open.
 Polygon read_footprint(const JsonNode& node);

@@ -1,6 +1,5 @@
 #include "host/scene/rounded_path.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,38 +1,17 @@
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "host/geometry/rings.hpp"
+#include "host/scene/camera_numbers.hpp"
 #include "host/scene/load.hpp"
+#include "host/scene/noise_rows.hpp"
+#include "host/scene/rgb.hpp"
 
 namespace fencepost::host {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json camera_json(const Scene& scene) {
-  const sensor::CameraIntrinsics& camera = scene.camera;
-  Json mount = {{"x", camera.mount.x.to_double()},
-                {"y", camera.mount.y.to_double()},
-                {"z", camera.mount.z.to_double()},
-                {"yaw", camera.mount.yaw.to_double()}};
-  mount["pitch"] = camera.mount.pitch ? Json(camera.mount.pitch->to_double()) : Json(nullptr);
-  Json written = {{"model", std::string(camera.model.view())},
-                  {"width", camera.width},
-                  {"height", camera.height},
-                  {"fx", camera.fx.to_double()},
-                  {"fy", camera.fy.to_double()},
-                  {"cx", camera.cx.to_double()},
-                  {"cy", camera.cy.to_double()},
-                  {"k1", camera.k1.to_double()},
-                  {"mount", mount},
-                  {"latency", camera.latency.to_double()},
-                  {"rate", scene.rate},
-                  {"max_blobs", scene.max_blobs}};
-  if (camera.lens != sensor::Lens::kPinhole) written["lens"] = std::string(name(camera.lens));
-  return written;
-}
 
 Json ring_json(const LinearRing& ring) {
   Json list = Json::array();
@@ -105,38 +84,12 @@ Json path_json(std::monostate) { return {}; }
 Json noise_json(const SceneNoise& noise) {
   const SceneNoise defaults;
   Json out = Json::object();
-  const auto put = [&](const char* key, double SceneNoise::*member) {
-    if (noise.*member != defaults.*member) out[key] = noise.*member;
-  };
-  put("edge_px", &SceneNoise::edge_px);
-  put("edge_bias_px", &SceneNoise::edge_bias_px);
-  if (!noise.edge_bias_of.empty()) out["edge_bias_px"] = Json::object();
-  for (const auto& [signature, px] : noise.edge_bias_of) out["edge_bias_px"][std::to_string(signature)] = px;
-  put("loss_probability", &SceneNoise::loss_probability);
-  put("loss_min", &SceneNoise::loss_min);
-  put("loss_max", &SceneNoise::loss_max);
-  put("split_share", &SceneNoise::split_share);
-  put("growth_probability", &SceneNoise::growth_probability);
-  put("growth_max", &SceneNoise::growth_max);
-  put("miss_probability", &SceneNoise::miss_probability);
-  put("false_rate", &SceneNoise::false_rate);
-  put("signature_swap_probability", &SceneNoise::signature_swap_probability);
-  put("pose_xy", &SceneNoise::pose_xy);
-  put("pose_heading", &SceneNoise::pose_heading);
-  put("drift_scale", &SceneNoise::drift_scale);
-  put("drift_turn", &SceneNoise::drift_turn);
-  put("drift_walk", &SceneNoise::drift_walk);
-  put("gyro_bias", &SceneNoise::gyro_bias);
-  put("gyro_walk", &SceneNoise::gyro_walk);
-  put("gyro_noise", &SceneNoise::gyro_noise);
-  put("gyro_scale", &SceneNoise::gyro_scale);
-  put("steer_offset", &SceneNoise::steer_offset);
-  put("steer_scale", &SceneNoise::steer_scale);
-  put("steer_backlash", &SceneNoise::steer_backlash);
-  put("yaw_error", &SceneNoise::yaw_error);
-  put("pitch_error", &SceneNoise::pitch_error);
-  put("latency_jitter", &SceneNoise::latency_jitter);
-  put("frame_drop_probability", &SceneNoise::frame_drop_probability);
+  for (const NoiseRow& row : kNoiseRows) {
+    if (noise.*row.value != defaults.*row.value) out[std::string(row.key)] = noise.*row.value;
+    if (row.value != &SceneNoise::edge_bias_px || noise.edge_bias_of.empty()) continue;
+    Json& of = out["edge_bias_px"] = Json::object();
+    for (const auto& [signature, px] : noise.edge_bias_of) of[std::to_string(signature)] = px;
+  }
   return out;
 }
 
@@ -153,23 +106,42 @@ Json object_json(const SceneObject& object) {
   return out;
 }
 
-std::string hex(sensor::Rgb rgb) {
-  char digits[7];
-  std::snprintf(digits, sizeof digits, "%02x%02x%02x", rgb.red, rgb.green, rgb.blue);
-  return digits;
-}
-
 }  // namespace
 
+Json camera_json(const sensor::CameraIntrinsics& camera) {
+  Json mount = {{"x", camera.mount.x.to_double()},
+                {"y", camera.mount.y.to_double()},
+                {"z", camera.mount.z.to_double()},
+                {"yaw", camera.mount.yaw.to_double()}};
+  mount["pitch"] = camera.mount.pitch ? Json(camera.mount.pitch->to_double()) : Json(nullptr);
+  Json written = {{"model", std::string(camera.model.view())},
+                  {"width", camera.width},
+                  {"height", camera.height},
+                  {"fx", camera.fx.to_double()},
+                  {"fy", camera.fy.to_double()},
+                  {"cx", camera.cx.to_double()},
+                  {"cy", camera.cy.to_double()},
+                  {"k1", camera.k1.to_double()},
+                  {"mount", mount},
+                  {"latency", camera.latency.to_double()}};
+  if (camera.lens != sensor::Lens::kPinhole) written["lens"] = std::string(name(camera.lens));
+  return written;
+}
+
+Json signature_json(const SceneSignature& signature) {
+  Json out = {{"id", signature.id}, {"name", signature.name}, {"rgb", rgb_text(signature.rgb)}};
+  if (signature.width > 0) out["size"] = signature.width / 1e3;
+  if (signature.pad != 0) out["pad"] = signature.pad;
+  return out;
+}
+
 std::string write_scene(const Scene& scene) {
-  Json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene)}};
+  Json root = {{"format", 1}, {"seed", scene.seed}, {"camera", camera_json(scene.camera)}};
+  root["camera"]["rate"] = scene.rate;
+  root["camera"]["max_blobs"] = scene.max_blobs;
   root["robot"] = robot_json(scene.robot);
   root["signatures"] = Json::array();
-  for (const SceneSignature& s : scene.signatures) {
-    root["signatures"].push_back({{"id", s.id}, {"name", s.name}, {"rgb", hex(s.rgb)}});
-    if (s.width > 0) root["signatures"].back()["size"] = s.width / 1e3;
-    if (s.pad != 0) root["signatures"].back()["pad"] = s.pad;
-  }
+  for (const SceneSignature& signature : scene.signatures) root["signatures"].push_back(signature_json(signature));
   root["objects"] = Json::array();
   for (const SceneObject& object : scene.objects) root["objects"].push_back(object_json(object));
   const Json path = std::visit([](const auto& p) { return path_json(p); }, scene.path);

@@ -6,6 +6,7 @@
 
 #include "firmware/record/stream_reader.hpp"
 #include "host/scene/read_scene.hpp"
+#include "host/scene/rgb.hpp"
 #include "host/segment/colmap_camera.hpp"
 #include "host/segment/opencv_camera.hpp"
 #include "host/segment/problem.hpp"
@@ -56,16 +57,6 @@ auto from_json(std::string_view text, const std::string& name, Read read) {
   }
 }
 
-void expect_each_once(const std::vector<record::Signature>& signatures, const std::string& name) {
-  for (auto a = signatures.begin(); a != signatures.end(); ++a) {
-    for (auto b = signatures.begin(); b != a; ++b) {
-      if (a->signature != b->signature) continue;
-      throw SegmentProblem{name, "signature " + std::to_string(a->signature) + " is there twice",
-                           "give each signature an id of its own"};
-    }
-  }
-}
-
 }  // namespace
 
 sensor::CameraIntrinsics parse_camera(std::string_view text, const std::string& name) {
@@ -91,8 +82,7 @@ std::vector<record::Signature> parse_signatures(std::string_view text, const std
     signatures = from_json(text, name, [](const JsonNode& root) {
       std::vector<record::Signature> all;
       const JsonNode list = root.at("signatures");
-      for (std::size_t i = 0; i < list.size(1, "signatures"); ++i) {
-        const SceneSignature signature = read_signature(list.at(i));
+      for (const SceneSignature& signature : read_signatures(list, 1)) {
         all.push_back({signature.id, signature.rgb, sensor::Text(signature.name)});
       }
       return all;
@@ -103,19 +93,13 @@ std::vector<record::Signature> parse_signatures(std::string_view text, const std
   if (signatures.empty()) {
     throw SegmentProblem{name, "has no signatures", "give a scene, its \"signatures\", or $FPSIG lines of a log"};
   }
-  expect_each_once(signatures, name);
   return signatures;
 }
 
 sensor::Rgb parse_rgb(std::string_view digits, const std::string& where) {
-  if (digits.size() != 6 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string_view::npos) {
-    throw SegmentProblem{where, "\"" + std::string(digits.substr(0, 40)) + "\" is not a colour",
-                         "write six hex digits RRGGBB, such as c02020"};
-  }
-  const auto channel = [&](std::size_t at) {
-    return static_cast<std::uint8_t>(std::stoul(std::string(digits.substr(at, 2)), nullptr, 16));
-  };
-  return {channel(0), channel(2), channel(4)};
+  if (const auto rgb = rgb_of(digits)) return *rgb;
+  throw SegmentProblem{where, "\"" + std::string(digits.substr(0, 40)) + "\" is not a colour",
+                       "write six hex digits RRGGBB, such as c02020"};
 }
 
 record::Signature parse_colour(std::string_view text, std::uint8_t number) {

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/scene/rgb.hpp"
+
 namespace fencepost::host {
 
 std::string colours_file(std::span<const NamedColour> all) {
@@ -15,8 +17,8 @@ std::string colours_file(std::span<const NamedColour> all) {
   for (const auto& [one, name] : all) {
     const segmenter::ColourRange& range = one.range;
     const char* const comma = signatures.empty() ? "" : ",";
-    signatures += fmt::format("{}\n    {{\"id\": {}, \"name\": {}, \"rgb\": \"{:02x}{:02x}{:02x}\"}}", comma,
-                              range.signature, nlohmann::json(name).dump(), one.rgb.red, one.rgb.green, one.rgb.blue);
+    signatures += fmt::format("{}\n    {{\"id\": {}, \"name\": {}, \"rgb\": \"{}\"}}", comma, range.signature,
+                              nlohmann::json(name).dump(), rgb_text(one.rgb));
     colours += fmt::format("{}\n    {{\"signature\": {}, \"red\": {}, \"green\": {}, \"brightness\": [{}, {}]}}", comma,
                            range.signature, pair(range.red_min, range.red_max), pair(range.green_min, range.green_max),
                            range.brightness_min, range.brightness_max);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
 
+#include "host/scene/rgb.hpp"
 #include "host/simulate/odometer.hpp"
 
 namespace fencepost::host {
@@ -136,7 +136,7 @@ std::string Webcam::train(int u, int v) {
   write_signature(named);
   return nlohmann::json{{"signature", box.signature},
                         {"name", named.name},
-                        {"rgb", fmt::format("{:02x}{:02x}{:02x}", colour.rgb.red, colour.rgb.green, colour.rgb.blue)},
+                        {"rgb", rgb_text(colour.rgb)},
                         {"patchy", is_patchy(colour)},
                         {"elsewhere", is_elsewhere(colour, width_, height_)}}
       .dump();

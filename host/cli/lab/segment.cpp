@@ -9,6 +9,7 @@
 #include "host/cli/lab.hpp"
 #include "host/cli/progress.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/scene/rgb.hpp"
 #include "host/segment/read_poses.hpp"
 #include "host/segment/segment.hpp"
 #include "host/segment/setup_file.hpp"
@@ -17,8 +18,6 @@ namespace fencepost::host::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string hex(sensor::Rgb rgb) { return fmt::format("{:02x}{:02x}{:02x}", rgb.red, rgb.green, rgb.blue); }
 
 /// "find", "black", "black=48" or "8a8a80,303030".
 BackgroundRule parse_background(const std::string& text) {
@@ -114,13 +113,13 @@ void say_counts(const SegmentSummary& summary) {
 void say_colours(const SegmentSummary& summary) {
   for (const SignatureUse& use : summary.signatures) {
     const record::Signature& signature = use.signature;
-    say(fmt::format("signature {:3} {} {}: in {} images", signature.signature, hex(signature.rgb),
+    say(fmt::format("signature {:3} {} {}: in {} images", signature.signature, rgb_text(signature.rgb),
                     signature.name.view(), use.images));
   }
   const auto say_list = [](const char* what, const std::vector<sensor::Rgb>& colours) {
     if (colours.empty()) return;
     std::string text = what;
-    for (const sensor::Rgb colour : colours) text += " " + hex(colour);
+    for (const sensor::Rgb colour : colours) text += " " + rgb_text(colour);
     say(text);
   };
   say_list("background:", summary.background);

@@ -18,6 +18,7 @@ Calibration found_calibration() {
   found.found.mount.z = base::Metres::nearest(0.12);
   found.found.mount.pitch = base::Radians::nearest(0.035);
   found.found.latency = base::Duration::nearest(0.06);
+  found.found.lens = sensor::Lens::kEquidistant;
   found.signatures = {{1, {208, 32, 32}, "red"}};
   return found;
 }
