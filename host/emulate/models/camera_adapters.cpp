@@ -65,7 +65,6 @@ class CmuCamAdapter final : public DeviceModel {
     next_image_ = now + kLongestPause;
     return bytes_of(camera_.frame(spots_));
   }
-  [[nodiscard]] bool in_use() const override { return used_; }
   [[nodiscard]] std::uint32_t baud() const override { return camera_.baud(); }
   [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
@@ -90,7 +89,6 @@ class CmuCamAdapter final : public DeviceModel {
   Colours colours_;
   std::vector<ColouredSpot> spots_;
   base::Time next_image_;
-  bool used_ = false;
 };
 
 class XbcAdapter final : public DeviceModel {
@@ -137,12 +135,10 @@ class NxtCamAdapter final : public DeviceModel {
     camera_.show(list_of(frame));
     return camera_.packet();
   }
-  [[nodiscard]] bool in_use() const override { return used_; }
   [[nodiscard]] std::vector<std::string> not_emulated() const override { return camera_.not_emulated(); }
 
  private:
   NxtCam camera_{base::Time{}};
-  bool used_ = false;
 };
 
 class NxtCam5Adapter final : public DeviceModel {
@@ -166,7 +162,6 @@ class NxtCam5Adapter final : public DeviceModel {
     next_image_ = now + kLongestPause;
     return camera_.image(shown_, now);
   }
-  [[nodiscard]] bool in_use() const override { return used_; }
 
  private:
   // A real one streams continuously: without a blob for a tenth of a second its hosts conclude that it sees none.
@@ -175,7 +170,6 @@ class NxtCam5Adapter final : public DeviceModel {
   std::vector<sensor::Blob> shown_;
   base::Time next_image_;
   NxtCam5 camera_{base::Time{}};
-  bool used_ = false;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/odometry.hpp"
 #include "host/emulate/models/bytes.hpp"
+#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -51,13 +51,17 @@ class DeviceModel {
   virtual Bytes step(base::Time /*now*/) { return {}; }
 
   /// The host has requested the device's data: blocks, packets, counts.
-  [[nodiscard]] virtual bool in_use() const = 0;
+  [[nodiscard]] virtual bool in_use() const { return used_; }
   /// It sends unasked, so being connected is being in use.
   [[nodiscard]] virtual bool talks_unasked() const { return false; }
   /// Baud rate that the host has set; 0: as it was.
   [[nodiscard]] virtual std::uint32_t baud() const { return 0; }
   /// Commands of the host that this model does not know or only acknowledges, by their names.
-  [[nodiscard]] virtual std::vector<std::string> not_emulated() const { return {}; }
+  [[nodiscard]] virtual std::vector<std::string> not_emulated() const { return not_emulated_.names(); }
+
+ protected:
+  bool used_ = false;
+  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

@@ -8,7 +8,6 @@
 
 #include "host/emulate/models/device_model.hpp"
 #include "host/emulate/models/i2c_device.hpp"
-#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -26,8 +25,6 @@ class Grove final : public DeviceModel {
   Bytes power_up(base::Time now) override;
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
-  [[nodiscard]] bool in_use() const override { return used_; }
-  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
   [[nodiscard]] bool awake(base::Time now) const { return now - power_on_ >= kBoot; }
 
  private:
@@ -40,8 +37,6 @@ class Grove final : public DeviceModel {
   std::string line_;
   std::int64_t left_ = 0;  ///< results to come; negative: without end
   std::uint32_t results_ = 0;
-  bool used_ = false;
-  NotEmulated not_emulated_;
 };
 
 /// The same on I2C: output waits until it is read, in packets of at most 250 bytes.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
-#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -29,8 +28,6 @@ class HuskyLens final : public DeviceModel {
   Bytes power_up(base::Time now) override;
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
-  [[nodiscard]] bool in_use() const override { return used_; }
-  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
   /// How many colours it has learned.
   void teach(int colours) { learned_ = colours; }
@@ -51,8 +48,6 @@ class HuskyLens final : public DeviceModel {
   int learned_ = 1;
   std::uint16_t images_ = 0;
   bool busy_ = false;
-  bool used_ = false;
-  NotEmulated not_emulated_;
 };
 
 /// "ask blocks", "INFO, 2 objects".

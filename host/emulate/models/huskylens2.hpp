@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
-#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -23,8 +22,6 @@ class HuskyLens2 final : public DeviceModel {
   Bytes power_up(base::Time now) override;
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
-  [[nodiscard]] bool in_use() const override { return used_; }
-  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
   /// How many colours it has learned.
   void teach(int colours) { learned_ = colours; }
@@ -39,8 +36,6 @@ class HuskyLens2 final : public DeviceModel {
   std::vector<sensor::Blob> blobs_;
   int algorithm_ = 0;
   int learned_ = 1;
-  bool used_ = false;
-  NotEmulated not_emulated_;
 };
 
 /// "ask results", "INFO, 2 objects".

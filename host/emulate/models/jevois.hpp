@@ -3,11 +3,8 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "host/emulate/models/device_model.hpp"
-#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -26,8 +23,6 @@ class JeVois final : public DeviceModel {
   Bytes power_up(base::Time now) override;
   Bytes take(std::uint8_t byte, base::Time now) override;
   Bytes see(const sensor::BlobFrame& frame, base::Time now) override;
-  [[nodiscard]] bool in_use() const override { return used_; }
-  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
  private:
   [[nodiscard]] std::string obey(const std::string& command);
@@ -47,9 +42,7 @@ class JeVois final : public DeviceModel {
   std::string marks_;
   int limit_ = 0;
   bool streaming_ = false;
-  bool used_ = false;
   std::uint32_t images_ = 0;
-  NotEmulated not_emulated_;
 };
 
 }  // namespace fencepost::emulate

@@ -83,7 +83,7 @@ Bytes NxtBrick::direct(const Bytes& command, base::Time now) {
     case 0x06: motors_read_ = true; return output_state(port);
     case 0x0A: return reset_position(command);
     case 0x0B:
-      return {0x02, 0x0B, 0, static_cast<std::uint8_t>(battery_ & 0xFFU), static_cast<std::uint8_t>(battery_ >> 8U)};
+      return {0x02, 0x0B, 0, static_cast<std::uint8_t>(kBattery & 0xFFU), static_cast<std::uint8_t>(kBattery >> 8U)};
     case 0x0D: {
       last_command_ = now;
       Bytes reply = {0x02, 0x0D, 0};

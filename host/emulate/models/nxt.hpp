@@ -31,7 +31,6 @@ class NxtBrick {
   /// Degrees, as the motor turned since power-on.
   void turn(std::size_t motor, std::int32_t degrees) { motors_.at(motor) = degrees; }
   void set_sleep_time(base::Duration time) { sleep_time_ = time; }
-  void set_battery(std::uint16_t millivolts) { battery_ = millivolts; }
   void restart(base::Time now);
   [[nodiscard]] bool on(base::Time now) const;
   /// Whether a motor was ever read.
@@ -61,7 +60,7 @@ class NxtBrick {
   base::Time power_on_;
   base::Time last_command_;
   base::Duration sleep_time_ = base::milliseconds(600'000);
-  std::uint16_t battery_ = 7'800;
+  static constexpr std::uint16_t kBattery = 7'800;  ///< mV
   std::array<Port, 4> ports_;
   std::array<std::int32_t, 3> motors_{};
   std::array<std::int32_t, 3> zeros_{};           ///< motor angles at the last power-on

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "host/emulate/models/device_model.hpp"
-#include "host/emulate/models/not_emulated.hpp"
 
 namespace fencepost::emulate {
 
@@ -31,7 +30,6 @@ class Pixy1 final : public DeviceModel {
   Bytes step(base::Time now) override;
   [[nodiscard]] bool in_use() const override { return true; }
   [[nodiscard]] bool talks_unasked() const override { return true; }
-  [[nodiscard]] std::vector<std::string> not_emulated() const override { return not_emulated_.names(); }
 
   void show(const std::vector<sensor::Blob>& blobs);
   /// A colour code of the next image and those behind it; by its edges. The angle is in degrees.
@@ -63,7 +61,6 @@ class Pixy1 final : public DeviceModel {
   base::Time free_;  ///< when the UART has sent all
   std::deque<std::uint8_t> pulled_;
   std::uint8_t heard_ = 0;  ///< the host's last byte
-  NotEmulated not_emulated_;
 };
 
 /// "3 blocks", "image of 3 blocks", "nothing".

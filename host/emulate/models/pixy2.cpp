@@ -175,7 +175,6 @@ Bytes Pixy2::answer_blocks(const Bytes& data) {
   list.resize(std::min<std::size_t>(list.size(), data[1]));
   Bytes blocks;
   for (const Block& block : list) put(blocks, block);
-  ++frames_sent_;
   return packet(0x21, blocks);
 }
 

@@ -35,8 +35,6 @@ class Pixy2 {
 
   /// Whether blocks were ever asked for.
   [[nodiscard]] bool asked() const { return asked_; }
-  /// Answers to getBlocks that were blocks.
-  [[nodiscard]] std::uint32_t frames_sent() const { return frames_sent_; }
   /// Requests that it does not know, and those that it acknowledges though they change nothing here.
   [[nodiscard]] const std::vector<std::string>& not_emulated() const { return not_emulated_.names(); }
 
@@ -66,7 +64,6 @@ class Pixy2 {
   std::vector<Block> blocks_;
   std::uint8_t next_index_ = 0;
   Bytes received_;
-  std::uint32_t frames_sent_ = 0;
   NotEmulated not_emulated_;
 };
 

@@ -58,7 +58,6 @@ class CreateAdapter final : public DeviceModel {
     const std::string frame = device_.frame();
     return {frame.begin(), frame.end()};
   }
-  [[nodiscard]] bool in_use() const override { return used_; }
   [[nodiscard]] std::vector<std::string> not_emulated() const override { return device_.not_emulated(); }
 
  private:
@@ -70,7 +69,6 @@ class CreateAdapter final : public DeviceModel {
   std::int64_t left_ = 0;
   std::int64_t right_ = 0;
   Travel last_;
-  bool used_ = false;
 };
 
 class NxtAdapter final : public DeviceModel {
@@ -108,7 +106,6 @@ class NxtAdapter final : public DeviceModel {
     brick_.turn(1, static_cast<std::int32_t>(counts_of(travel.left(wheels_.track), wheels_.tick)));
     brick_.turn(2, static_cast<std::int32_t>(counts_of(travel.right(wheels_.track), wheels_.tick)));
   }
-  [[nodiscard]] bool in_use() const override { return used_; }
   [[nodiscard]] std::vector<std::string> not_emulated() const override { return brick_.not_emulated(); }
 
  private:
@@ -120,7 +117,6 @@ class NxtAdapter final : public DeviceModel {
   NxtCam camera_{base::Time{}};
   WheelShape wheels_;
   bool has_camera_;
-  bool used_ = false;
   std::deque<std::pair<base::Time, Bytes>> replies_;  ///< each with when it leaves
 };
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
