@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 #include <utility>
 
 #include "host/calibrate/findings.hpp"
@@ -49,11 +47,7 @@ void free_lens(StartedProblem& started, SolverOptions& options, std::optional<Ca
   if (!variances) return;
   const double off = freed.estimate.camera[kK1] - freed.problem.configured[kK1];
   if (std::abs(off) < kSure * std::sqrt((*variances)[kK1][kK1])) return;
-  freed.problem.noise = noise_of(residuals_at(freed.problem, freed.estimate));
-  if (solve(freed.problem, free, freed.estimate)) return;
-  started = std::move(freed);
-  options = free;
-  matrix = covariance_at(started.problem, options, started.estimate);
+  adopt(std::move(freed), std::move(free), started, options, matrix);
 }
 
 std::vector<Point> way_of(const Estimate& estimate) {

@@ -1,9 +1,7 @@
 #include "host/calibrate/causes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numeric>
 #include <set>

@@ -48,13 +48,6 @@ double quadratic_at(std::span<const TimedPose> samples, double t, double TimedPo
 
 }  // namespace
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 OdometryTrack::OdometryTrack(std::vector<TimedPose> samples) : samples_(continuous(std::move(samples))) {
   measure_noise();
   if (white_.position > kQuiet.position || white_.heading > kQuiet.heading) smooth();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "host/geometry/median.hpp"
 #include "host/replay/pose_noise.hpp"
 #include "host/scene/scene.hpp"
 
@@ -45,8 +46,5 @@ class OdometryTrack {
   double driven_ = 0;
   double turned_ = 0;
 };
-
-/// The middle value; 0 of none.
-double median_of(std::vector<double> values);
 
 }  // namespace fencepost::host

@@ -34,6 +34,15 @@ std::int8_t whole_pad(double pad) {
   return static_cast<std::int8_t>(std::lround(std::clamp(pad, -kMaxPad, kMaxPad)));
 }
 
+void adopt(StartedProblem freed, SolverOptions free, StartedProblem& started, SolverOptions& options,
+           std::optional<CalibratedMatrix>& matrix) {
+  freed.problem.noise = noise_of(residuals_at(freed.problem, freed.estimate));
+  if (solve(freed.problem, free, freed.estimate)) return;
+  started = std::move(freed);
+  options = std::move(free);
+  matrix = covariance_at(started.problem, options, started.estimate);
+}
+
 void free_pads(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix) {
   constexpr double kSure = 4;  // sigmas, as of a lens
   StartedProblem freed = started;
@@ -56,11 +65,7 @@ void free_pads(StartedProblem& started, SolverOptions& options, std::optional<Ca
     any = any || free.free_kinds[k][kPad];
   }
   if (!any) return;
-  freed.problem.noise = noise_of(residuals_at(freed.problem, freed.estimate));
-  if (solve(freed.problem, free, freed.estimate)) return;
-  started = std::move(freed);
-  options = std::move(free);
-  matrix = covariance_at(started.problem, options, started.estimate);
+  adopt(std::move(freed), std::move(free), started, options, matrix);
 }
 
 std::vector<FoundPad> pads_of(const StartedProblem& started, const SolverOptions& options,

@@ -20,6 +20,10 @@ inline constexpr std::size_t kMinPadObjects = 4;
 /// As a robot takes it off: whole px, of at most 100.
 std::int8_t whole_pad(double pad);
 
+/// Solves again what `freed` and `free` say, with the noise that they leave. Nothing changes where that fails.
+void adopt(StartedProblem freed, SolverOptions free, StartedProblem& started, SolverOptions& options,
+           std::optional<CalibratedMatrix>& matrix);
+
 /// Frees the pads that the log is sure of and solves again with them. Signatures with few objects share one pad, with
 /// all others if these are too few together. Nothing changes where the log is sure of none.
 void free_pads(StartedProblem& started, SolverOptions& options, std::optional<CalibratedMatrix>& matrix);

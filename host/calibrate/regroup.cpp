@@ -10,12 +10,6 @@
 namespace fencepost::host {
 namespace {
 
-std::vector<std::set<double>> times_of(const StartedProblem& started) {
-  std::vector<std::set<double>> times(started.estimate.objects.size());
-  for (const Sighting& sighting : started.problem.sightings) times[sighting.object].insert(sighting.t);
-  return times;
-}
-
 bool together(const std::set<double>& a, const std::set<double>& b) {
   return std::ranges::any_of(a, [&](double t) { return b.contains(t); });
 }
@@ -27,6 +21,12 @@ std::vector<std::size_t> itself(std::size_t count) {
 }
 
 }  // namespace
+
+std::vector<std::set<double>> times_of(const StartedProblem& started) {
+  std::vector<std::set<double>> times(started.estimate.objects.size());
+  for (const Sighting& sighting : started.problem.sightings) times[sighting.object].insert(sighting.t);
+  return times;
+}
 
 void renumber(StartedProblem& started, const std::vector<std::size_t>& place) {
   std::vector<std::size_t> index(place.size(), kGone);

@@ -2,9 +2,15 @@
 // are left out.
 #pragma once
 
+#include <set>
+#include <vector>
+
 #include "host/calibrate/start.hpp"
 
 namespace fencepost::host {
+
+/// The times of each object's sightings.
+std::vector<std::set<double>> times_of(const StartedProblem& started);
 
 /// Every sighting of object i becomes one of object place[i], one of the same numbers; those with a place of kGone go,
 /// with their objects.

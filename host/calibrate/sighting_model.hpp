@@ -1,7 +1,6 @@
 // Predicts how a camera at a pose sees an object: edges and rows, px. Templates over the number type, for derivatives.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "host/calibrate/lens_model.hpp"

@@ -3,7 +3,6 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -286,6 +285,13 @@ class Build {
 /// Ceres logs on standard error what is answered here.
 void keep_quiet() { FLAGS_minloglevel = google::GLOG_FATAL; }
 
+ceres::Covariance::Options by_sparse_qr() {
+  ceres::Covariance::Options how;
+  how.algorithm_type = ceres::SPARSE_QR;
+  how.num_threads = 1;
+  return how;
+}
+
 }  // namespace
 
 std::optional<std::string> solve(const CalibrationProblem& problem, const SolverOptions& options, Estimate& estimate) {
@@ -315,10 +321,7 @@ std::vector<PlaceVariance> place_variances(const CalibrationProblem& problem, co
                                            Estimate estimate) {
   keep_quiet();
   Build build(problem, options, estimate);
-  ceres::Covariance::Options how;
-  how.algorithm_type = ceres::SPARSE_QR;
-  how.num_threads = 1;
-  ceres::Covariance covariance(how);
+  ceres::Covariance covariance(by_sparse_qr());
   std::vector<std::pair<const double*, const double*>> blocks;
   for (const ObjectValues& object : estimate.objects) blocks.emplace_back(object.data(), object.data());
   if (blocks.empty() || !covariance.Compute(blocks, &build.problem())) return {};
@@ -337,10 +340,7 @@ std::optional<CalibratedMatrix> covariance_at(const CalibrationProblem& problem,
                                               Estimate estimate) {
   keep_quiet();
   Build build(problem, options, estimate);
-  ceres::Covariance::Options how;
-  how.algorithm_type = ceres::SPARSE_QR;
-  how.num_threads = 1;
-  ceres::Covariance covariance(how);
+  ceres::Covariance covariance(by_sparse_qr());
   std::vector<const double*> blocks = {estimate.camera.data(), estimate.wheels.data()};
   if (!options.free_kinds.empty()) {
     for (const KindValues& kind : estimate.kinds) blocks.push_back(kind.data());

@@ -1,7 +1,6 @@
 // The files of one MRCLAM recording, read and checked.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>

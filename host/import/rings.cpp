@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "host/import/import.hpp"
 #include "host/import/log_builder.hpp"

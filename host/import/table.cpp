@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/import/text_lines.hpp"
 #include "host/text/gunzip.hpp"
 
 namespace fencepost::host {
@@ -55,14 +56,8 @@ std::vector<std::string> read_lines(const std::string& path) {
   return lines;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 double to_number(std::string_view field, const std::string& place) {
-  field = trimmed(field);
+  field = trimmed_text(field);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
@@ -135,10 +130,11 @@ void WordTable::expect_at_least(const WordRow& row, std::size_t columns, const s
 Table read_csv_table(const std::string& path, const std::string& header) {
   Table table{path, {}};
   const std::vector<std::string> lines = read_lines(path);
-  if (trimmed(lines[0]) != header) throw ImportProblem{path + ":1", "is not the expected header", "write: " + header};
+  if (trimmed_text(lines[0]) != header)
+    throw ImportProblem{path + ":1", "is not the expected header", "write: " + header};
   const auto columns = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (trimmed(lines[i]).empty()) continue;
+    if (trimmed_text(lines[i]).empty()) continue;
     TableRow row{i + 1, {}};
     const std::string place = path + ":" + std::to_string(row.line);
     std::istringstream fields(lines[i] + ",");

@@ -184,7 +184,7 @@ Imported log_of(Taken taken, const TakeSettings& settings, const std::string& so
   if (taken.poses.empty() && taken.car.empty()) stand_still(taken);
   const double zero = start_of(taken);
   for (const TakenCar& car : taken.car) parts.car.push_back(sample_of(car, zero));
-  for (const TakenPose& pose : taken.poses) {
+  for (const TimedPose& pose : taken.poses) {
     parts.odometry.push_back({base::Time::nearest(pose.t - zero), base::Metres::nearest(pose.x),
                               base::Metres::nearest(pose.y), base::Radians::nearest(pose.heading)});
   }

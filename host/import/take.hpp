@@ -5,12 +5,12 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "hal/sensor/camera.hpp"
 #include "host/import/import.hpp"
+#include "host/scene/scene.hpp"
 
 namespace fencepost::host {
 
@@ -34,13 +34,6 @@ struct TakenFrame {
   std::vector<ImportedBlob> blobs;
 };
 
-struct TakenPose {
-  double t = 0;
-  double x = 0;
-  double y = 0;
-  double heading = 0;
-};
-
 /// Measurements of a car: its encoder, and its steering angle or its gyro.
 struct TakenCar {
   double t = 0;
@@ -51,7 +44,7 @@ struct TakenCar {
 
 struct Taken {
   std::vector<TakenFrame> frames;
-  std::vector<TakenPose> poses;
+  std::vector<TimedPose> poses;
   std::vector<TakenCar> car;                                  ///< in place of poses
   std::vector<std::pair<std::string, std::string>> settings;  ///< of the robot, as FPCFG
   std::map<int, std::string> names;                           ///< of signatures
@@ -64,7 +57,7 @@ struct Taken {
 struct TakeSettings {
   std::optional<sensor::CameraIntrinsics> camera;
   double rate = 20;              ///< frames a second, of texts without times
-  std::vector<TakenPose> poses;  ///< of another file; empty: the source's own
+  std::vector<TimedPose> poses;  ///< of another file; empty: the source's own
 };
 
 /// Times from zero, each kind in order and strictly increasing; boxes clamped to the image, at most 16 a frame, the

@@ -1,7 +1,6 @@
 // Lines of a text that others printed, with what the Arduino IDE's monitor may put before each.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -11,6 +11,7 @@
 #include "firmware/config/profile.hpp"
 #include "firmware/recon/models/hybrid/hybrid_solver.hpp"
 #include "host/evaluate/matching.hpp"
+#include "host/geometry/median.hpp"
 #include "host/render/regions.hpp"
 #include "host/replay/models.hpp"
 #include "host/replay/replay.hpp"
@@ -113,12 +114,6 @@ class Follower final : public RunObserver {
   std::map<std::uint32_t, ObjectResult> latest_;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Least distance of the outline along the optical axis, m.
 double depth_of(const MultiPolygon& footprint, const CameraPose& lens) {
   double least = std::numeric_limits<double>::infinity();
@@ -143,8 +138,8 @@ void set_band(const Tour& tour, const std::vector<TakenBlob>& blobs, Solid& soli
     if (blob.box.y1 > 1) tops.push_back(lens.z - (blob.box.y1 - 0.5 - cy) * metres_a_pixel);
     if (blob.box.y2 < camera.height - 2) bottoms.push_back(lens.z - (blob.box.y2 + 0.5 - cy) * metres_a_pixel);
   }
-  solid.z_min = bottoms.empty() ? 0 : std::max(0.0, median(bottoms));
-  solid.z_max = tops.empty() ? solid.z_min : std::max(solid.z_min, median(tops));
+  solid.z_min = bottoms.empty() ? 0 : std::max(0.0, median_of(bottoms));
+  solid.z_max = tops.empty() ? solid.z_min : std::max(solid.z_min, median_of(tops));
 }
 
 void set_colour(const std::vector<TakenBlob>& blobs, Solid& solid) {

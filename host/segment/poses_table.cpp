@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "host/import/text_lines.hpp"
 #include "host/segment/problem.hpp"
 
 namespace fencepost::host {
@@ -24,28 +25,14 @@ constexpr double kMadeUpInterval = 0.1;  // s
 enum Column : std::size_t { kImage, kX, kY, kHeading, kTime, kColumns };
 constexpr std::array<std::string_view, kColumns> kNames = {"image", "x", "y", "heading", "t"};
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   for (std::size_t start = 0; start <= line.size();) {
     const std::size_t end = std::min(line.find(',', start), line.size());
-    fields.push_back(trimmed(line.substr(start, end - start)));
+    fields.push_back(trimmed_text(line.substr(start, end - start)));
     start = end + 1;
   }
   return fields;
-}
-
-/// The text for a message: printable, and not too much of it.
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kMax = 40;
-  std::string shown = "\"";
-  for (const char c : text.substr(0, kMax)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + (text.size() > kMax ? "...\"" : "\"");
 }
 
 /// The index of each column in the header.
@@ -57,16 +44,16 @@ class Header {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto* known = std::find(kNames.begin(), kNames.end(), fields[i]);
       if (known == kNames.end()) {
-        table.unused_columns.push_back(in_quotes(fields[i]));
+        table.unused_columns.push_back(host::quoted(fields[i]));
         continue;
       }
       auto& at = at_[static_cast<std::size_t>(known - kNames.begin())];
-      if (at) throw SegmentProblem{place, "has two columns " + in_quotes(fields[i]), "take one out"};
+      if (at) throw SegmentProblem{place, "has two columns " + host::quoted(fields[i]), "take one out"};
       at = i;
     }
     for (const Column column : {kImage, kX, kY, kHeading}) {
       if (!at_[column]) {
-        throw SegmentProblem{place, "has no column " + in_quotes(kNames[column]),
+        throw SegmentProblem{place, "has no column " + host::quoted(kNames[column]),
                              std::string("write as the first line: ") + kHeader};
       }
     }
@@ -82,7 +69,7 @@ class Header {
     double value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
-      throw SegmentProblem{place, std::string(kNames[column]) + " is " + in_quotes(field) + ", not a number",
+      throw SegmentProblem{place, std::string(kNames[column]) + " is " + host::quoted(field) + ", not a number",
                            "correct the line or take it out"};
     }
     if (column != kTime && std::abs(value) > kLargest) {
@@ -147,7 +134,7 @@ PosesTable parse_poses(std::string_view text, const std::string& file) {
   std::set<std::string, std::less<>> seen;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
+    const std::string_view line = trimmed_text(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.empty() || line.front() == '#') continue;
     const std::string place = file + ":" + std::to_string(number);
@@ -157,7 +144,8 @@ PosesTable parse_poses(std::string_view text, const std::string& file) {
     }
     table.rows.push_back(to_row(line, *header, number, place));
     if (!seen.insert(table.rows.back().image).second) {
-      throw SegmentProblem{place, in_quotes(table.rows.back().image) + " is there twice", "take one of the lines out"};
+      throw SegmentProblem{place, host::quoted(table.rows.back().image) + " is there twice",
+                           "take one of the lines out"};
     }
   }
   if (table.rows.empty()) {

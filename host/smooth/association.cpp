@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -59,12 +58,6 @@ struct Pair {
   std::size_t b = 0;
   double apart = 0;
 };
-
-std::vector<std::set<double>> times_of(const StartedProblem& started) {
-  std::vector<std::set<double>> times(started.estimate.objects.size());
-  for (const Sighting& sighting : started.problem.sightings) times[sighting.object].insert(sighting.t);
-  return times;
-}
 
 /// Nearest first. Odometry that strays may have put one thing at two places.
 std::vector<Pair> candidates(const StartedProblem& started) {

@@ -7,6 +7,7 @@
 
 #include "host/calibrate/drift_model.hpp"
 #include "host/calibrate/sighting_model.hpp"
+#include "host/geometry/median.hpp"
 
 namespace fencepost::host {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host/geometry/polygon.hpp"
-#include "host/result/result.hpp"
 
 namespace fencepost::host {
 

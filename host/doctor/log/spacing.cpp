@@ -4,13 +4,6 @@
 
 namespace fencepost::host::doctor {
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void SpacingMeter::add(base::Time t) {
   ++count_;
   if (last_) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/base/units.hpp"
+#include "host/geometry/median.hpp"
 
 namespace fencepost::host::doctor {
 
@@ -60,8 +61,5 @@ class SpacingMeter {
   double longest_ = 0;
   double longest_at_ = 0;
 };
-
-/// 0 of nothing.
-double median_of(std::vector<double> values);
 
 }  // namespace fencepost::host::doctor

@@ -1,7 +1,6 @@
 // Figures that a log gives about the robot that made it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "host/import/candump/candump.hpp"
 
-#include <algorithm>
 #include <charconv>
 
 #include "host/import/table.hpp"
@@ -78,10 +77,10 @@ std::optional<DumpedFrame> frame_in(std::string_view line) {
 
 }  // namespace
 
-std::vector<TakenPose> poses_of_candump(std::string_view text, const std::string& file,
+std::vector<TimedPose> poses_of_candump(std::string_view text, const std::string& file,
                                         const can_wheels::Mapping& mapping, Taken& counts) {
   can_wheels::Wheels wheels(mapping);
-  std::vector<TakenPose> poses;
+  std::vector<TimedPose> poses;
   std::optional<double> zero;
   for (const std::string_view line : lines_of(text)) {
     const std::optional<DumpedFrame> dumped = frame_in(line);

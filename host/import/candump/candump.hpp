@@ -11,7 +11,7 @@ namespace fencepost::host {
 
 /// "(1436509052.249713) can0 123#DEADBEEF", or with the columns of a terminal. Frames of wheels become poses.
 /// errors: ImportProblem
-std::vector<TakenPose> poses_of_candump(std::string_view text, const std::string& file,
+std::vector<TimedPose> poses_of_candump(std::string_view text, const std::string& file,
                                         const can_wheels::Mapping& mapping, Taken& counts);
 
 /// `blobs`: a table as import_csv takes it, whose times are of the same clock.

@@ -99,8 +99,8 @@ bool is_tum(std::string_view text) {
   return false;
 }
 
-std::vector<TakenPose> parse_tum(std::string_view text, const std::string& file) {
-  std::vector<TakenPose> poses;
+std::vector<TimedPose> parse_tum(std::string_view text, const std::string& file) {
+  std::vector<TimedPose> poses;
   std::size_t number = 0;
   for (const std::string_view line : lines_of(text)) {
     ++number;
@@ -176,14 +176,14 @@ class BlobTable {
 
 }  // namespace
 
-std::vector<TakenPose> parse_pose_table(std::string_view text, const std::string& file) {
+std::vector<TimedPose> parse_pose_table(std::string_view text, const std::string& file) {
   if (is_tum(text)) return parse_tum(text, file);
   const CsvReader csv(text, file);
   const std::size_t t = csv.need({"t", "time", "timestamp", "seconds", "sec"});
   const std::size_t x = csv.need({"x", "px", "pos_x"});
   const std::size_t y = csv.need({"y", "py", "pos_y"});
   const std::size_t heading = csv.need({"heading", "theta", "yaw", "pa"});
-  std::vector<TakenPose> poses;
+  std::vector<TimedPose> poses;
   csv.each([&](const CsvRow& row) {
     poses.push_back({row.number(t), row.number(x), row.number(y), row.number(heading)});
   });

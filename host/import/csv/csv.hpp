@@ -17,6 +17,6 @@ ImportResult import_csv(std::string_view blobs, const std::string& file, const T
 
 /// t,x,y,heading by column names, s, m, rad; or TUM's "timestamp tx ty tz qx qy qz qw" with z up.
 /// errors: ImportProblem
-std::vector<TakenPose> parse_pose_table(std::string_view text, const std::string& file);
+std::vector<TimedPose> parse_pose_table(std::string_view text, const std::string& file);
 
 }  // namespace fencepost::host

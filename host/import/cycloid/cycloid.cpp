@@ -1,7 +1,5 @@
-#include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "host/geometry/rings.hpp"
 #include "host/import/import.hpp"

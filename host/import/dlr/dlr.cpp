@@ -55,7 +55,7 @@ Taken take_dlr(const std::vector<DlrStep>& steps, const DlrOptions& options, con
     throw ImportProblem{"the window", "holds no step", "there are steps 0 to " + std::to_string(steps.size() - 1)};
   }
   Taken taken;
-  TakenPose pose;
+  TimedPose pose;
   std::map<int, int> order;  // of appearance
   for (std::size_t i = options.from; i < end; ++i) {
     const DlrStep& step = steps[i];

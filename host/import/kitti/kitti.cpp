@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/geometry/median.hpp"
 #include "host/import/import.hpp"
 #include "host/import/kitti/kitti_files.hpp"
 #include "host/import/log_builder.hpp"
@@ -27,17 +28,11 @@ constexpr double kMinSeparation = 1.7;  // of two cars' centres: nearer, one car
 constexpr std::size_t kSignatures = 255;
 constexpr int kIds = 65'535;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 template <class Item, class Value>
 double median_of(const std::vector<Item>& items, std::size_t count, Value value) {
   std::vector<double> values;
   for (std::size_t i = 0; i < std::min(count, items.size()); ++i) values.push_back(value(items[i]));
-  return median(std::move(values));
+  return host::median_of(std::move(values));
 }
 
 /// One label of a track, placed in the world.

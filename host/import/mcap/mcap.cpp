@@ -70,9 +70,9 @@ std::optional<Detections> detections_in_cdr(std::string_view data) {
   return cdr.at_end() ? std::optional(detections) : std::nullopt;
 }
 
-std::optional<TakenPose> pose_in_cdr(std::string_view data) {
+std::optional<TimedPose> pose_in_cdr(std::string_view data) {
   CdrReader cdr(data);
-  TakenPose pose{header(cdr), 0, 0, 0};
+  TimedPose pose{header(cdr), 0, 0, 0};
   static_cast<void>(cdr.string());  // child_frame_id
   pose.x = cdr.real();
   pose.y = cdr.real();
@@ -115,7 +115,7 @@ Detections detections_in_json(const Json& message) {
   return detections;
 }
 
-TakenPose pose_in_json(const Json& message) {
+TimedPose pose_in_json(const Json& message) {
   const Json& pose = message.at("pose").contains("pose") ? message.at("pose").at("pose") : message.at("pose");
   const Json& turn = pose.at("orientation");
   return {json_time(message), pose.at("position").at("x").get<double>(), pose.at("position").at("y").get<double>(),

@@ -1,9 +1,7 @@
 #include "host/import/mcap/mcap_file.hpp"
 
 #include <map>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "host/import/fields.hpp"
 #include "host/import/mcap/unpacked_chunk.hpp"

@@ -1,7 +1,6 @@
 // Messages of an MCAP file (mcap.dev, specification 0x0): channels, schemas, chunks without compression, lz4 or zstd.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 #include "host/import/player/player.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "host/import/table.hpp"

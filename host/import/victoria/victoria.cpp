@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "host/import/import.hpp"
 #include "host/import/table.hpp"

@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 #include "host/import/fields.hpp"
 #include "host/import/table.hpp"
@@ -144,11 +143,11 @@ class Contents {
   std::map<std::string, int> fields_;          ///< tables of a Field2d
 };
 
-std::optional<TakenPose> pose_of(Poses kind, const WpilogRecord& record) {
+std::optional<TimedPose> pose_of(Poses kind, const WpilogRecord& record) {
   constexpr double kFarthest = 100'000;  // m
   constexpr double kMaxTurn = 1e6;       // rad
   Fields fields(record.data);
-  TakenPose pose{record.t, fields.real(), fields.real(), 0};
+  TimedPose pose{record.t, fields.real(), fields.real(), 0};
   if (kind == Poses::kPose3d) {
     static_cast<void>(fields.real());  // z
     const double w = fields.real();
