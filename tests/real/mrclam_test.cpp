@@ -13,6 +13,7 @@
 #include "host/evaluate/metrics.hpp"
 #include "host/import/import.hpp"
 #include "host/replay/replay.hpp"
+#include "tests/real/alignment.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -23,25 +24,11 @@ const std::string kData = FENCEPOST_SHARED_DIR "/data/mrclam/";
 constexpr double kOfflineMedian = 0.024;
 constexpr double kOfflineWorst = 0.079;  // m, of the same fit
 
-host::Point middle_of(const host::SceneObject& object) {
-  host::Point sum;
-  for (const host::Point& p : object.footprint.outer) {
-    sum.x += p.x;
-    sum.y += p.y;
-  }
-  const auto n = static_cast<double>(object.footprint.outer.size());
-  return {sum.x / n, sum.y / n};
-}
-
 // Distance of each landmark's cylinder to the survey; of several objects of a barcode the one seen most often.
 std::vector<double> landmark_errors(const host::ResultDocument& result, const host::Scene& truth, bool print) {
   std::vector<double> errors;
   for (const host::SceneObject& landmark : truth.objects) {
-    const host::ObjectResult* best = nullptr;
-    for (const host::ObjectResult& object : result.objects) {
-      if (object.signature != landmark.signature || !object.models[0].circle) continue;
-      if (best == nullptr || object.views > best->views) best = &object;
-    }
+    const host::ObjectResult* best = best_of(result, landmark.signature);
     if (best == nullptr) continue;
     const host::Point at = middle_of(landmark);
     const host::Circle& circle = *best->models[0].circle;
@@ -169,85 +156,14 @@ TEST_P(Mrclam, OdometryWindowsOfAMinute) {
   EXPECT_LT(median(medians), std::string_view(GetParam()) == "D7_R2" ? 1.75 : 2.6);
 }
 
-struct Place {
-  host::Point found;
-  host::Point survey;
-};
-
-// Of the objects of a barcode the one seen most often.
-std::vector<Place> places_of(const host::ResultDocument& result, const host::Scene& truth) {
-  std::vector<Place> places;
+// Distances after the rotation and shift that bring the places nearest to the survey (least squares).
+std::vector<double> aligned_errors(const host::ResultDocument& result, const host::Scene& truth) {
+  std::vector<Pair> places;
   for (const host::SceneObject& landmark : truth.objects) {
-    const host::ObjectResult* best = nullptr;
-    for (const host::ObjectResult& object : result.objects) {
-      if (object.signature != landmark.signature || !object.models[0].circle) continue;
-      if (best == nullptr || object.views > best->views) best = &object;
-    }
+    const host::ObjectResult* best = best_of(result, landmark.signature);
     if (best != nullptr) places.push_back({best->models[0].circle->center, middle_of(landmark)});
   }
-  return places;
-}
-
-// Distances after the rotation and shift that bring the places nearest to the survey (least squares).
-std::vector<double> aligned_errors(const std::vector<Place>& places) {
-  host::Point a;
-  host::Point b;
-  const auto n = static_cast<double>(places.size());
-  for (const Place& p : places) {
-    a = {a.x + p.found.x / n, a.y + p.found.y / n};
-    b = {b.x + p.survey.x / n, b.y + p.survey.y / n};
-  }
-  double cosine = 0;
-  double sine = 0;
-  for (const Place& p : places) {
-    const double fx = p.found.x - a.x, fy = p.found.y - a.y, sx = p.survey.x - b.x, sy = p.survey.y - b.y;
-    cosine += fx * sx + fy * sy;
-    sine += fx * sy - fy * sx;
-  }
-  const double turn = std::atan2(sine, cosine);
-  std::vector<double> errors;
-  for (const Place& p : places) {
-    const double fx = p.found.x - a.x, fy = p.found.y - a.y;
-    errors.push_back(std::hypot(b.x + fx * std::cos(turn) - fy * std::sin(turn) - p.survey.x,
-                                b.y + fx * std::sin(turn) + fy * std::cos(turn) - p.survey.y));
-  }
-  std::sort(errors.begin(), errors.end());
-  return errors;
-}
-
-double rms(const std::vector<double>& errors) {
-  double sum = 0;
-  for (const double error : errors) sum += error * error;
-  return std::sqrt(sum / static_cast<double>(errors.size()));
-}
-
-struct PathError {
-  double mean = 0;  // m
-  double worst = 0;
-  double heading = 0;  // rad, mean
-  double shape = 0;    // m, rms after the rotation and shift that suit the path best
-};
-
-// Against the survey's poses, each path sample at the survey's nearest earlier one (100 Hz).
-PathError path_error(const std::vector<host::PoseResult>& path, const std::vector<host::PoseResult>& survey) {
-  PathError error;
-  double count = 0;
-  std::size_t at = 0;
-  std::vector<Place> pairs;
-  for (const host::PoseResult& pose : path) {
-    while (at + 1 < survey.size() && survey[at + 1].t <= pose.t) ++at;
-    if (std::fabs(survey[at].t - pose.t) > 0.1) continue;
-    const double off = std::hypot(pose.x - survey[at].x, pose.y - survey[at].y);
-    error.mean += off;
-    error.worst = std::max(error.worst, off);
-    error.heading += std::fabs(std::remainder(pose.heading - survey[at].heading, 2 * 3.14159265358979));
-    pairs.push_back({{pose.x, pose.y}, {survey[at].x, survey[at].y}});
-    ++count;
-  }
-  error.shape = rms(aligned_errors(pairs));
-  error.mean /= count;
-  error.heading /= count;
-  return error;
+  return align(places).errors;
 }
 
 host::ReplayOutcome replay_by_odometry(const host::Imported& imported, bool correct) {
@@ -288,7 +204,7 @@ TEST_P(Mrclam, PoseCorrectionOverTheWholeRecording) {
     const host::ReplayOutcome outcome = replay_by_odometry(*imported, correct);
     ASSERT_FALSE(outcome.unreadable.has_value()) << outcome.unreadable->message;
     errors[correct] = path_error(outcome.result.path, survey.result.path);
-    landmarks[correct] = aligned_errors(places_of(outcome.result, *imported->truth));
+    landmarks[correct] = aligned_errors(outcome.result, *imported->truth);
     objects[correct] = outcome.result.objects.size();
     ASSERT_FALSE(landmarks[correct].empty());
     std::printf(

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "firmware/recon/models/clip.hpp"
 #include "host/geometry/half_planes.hpp"

@@ -3,9 +3,10 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "tests/real/alignment.hpp"
 
 namespace fencepost::test {
 
@@ -30,13 +31,6 @@ struct RealOptions {
   bool widths = false;                                        ///< the signatures' widths are configured
   bool surveyed = false;  ///< by the true poses, where there are any: what correction by itself costs good odometry
   bool robots = false;    ///< the other robots, too, as one signature
-};
-
-struct PathError {
-  double mean = 0;     ///< m
-  double worst = 0;    ///< m
-  double heading = 0;  ///< rad, mean
-  double shape = 0;    ///< m, rms after the rotation and shift that suit the path best
 };
 
 struct RealResult {
