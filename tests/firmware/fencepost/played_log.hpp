@@ -6,7 +6,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "firmware/fencepost/fencepost.hpp"
 #include "firmware/record/stream_reader.hpp"

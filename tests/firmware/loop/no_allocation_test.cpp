@@ -1,54 +1,15 @@
 // After start-up the loop never asks for memory: every way to the heap is trapped while it runs.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <memory>
-#include <new>
 #include <sstream>
 #include <variant>
 #include <vector>
 
 #include "firmware/loop/loop.hpp"
 #include "firmware/record/stream_reader.hpp"
-
-namespace {
-
-bool g_armed = false;
-std::size_t g_requests = 0;
-
-void note() {
-  if (g_armed) ++g_requests;
-}
-
-}  // namespace
-
-extern "C" {
-void* __real_malloc(std::size_t size);
-void* __real_calloc(std::size_t count, std::size_t size);
-void* __real_realloc(void* old, std::size_t size);
-void* __wrap_malloc(std::size_t size) {
-  note();
-  return __real_malloc(size);
-}
-void* __wrap_calloc(std::size_t count, std::size_t size) {
-  note();
-  return __real_calloc(count, size);
-}
-void* __wrap_realloc(void* old, std::size_t size) {
-  note();
-  return __real_realloc(old, size);
-}
-}
-
-void* operator new(std::size_t size) {
-  note();
-  if (void* memory = __real_malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-// Not inlined, or the compiler thinks that free() meets memory of another allocator.
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/firmware/trapped_heap.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -124,8 +85,7 @@ void expect_no_allocation() {
   console.typed =
       "help\nstatus\nobjects\nmap\nget\nget alert.stop\nset alert.stop 0.3\nset alert.stop x\nfrob\nalerts off\n"
       "mode text\nmode plot\nmode log\nversion\n$FPODO,,0,0,0*0000\nselftest\nreset\n";
-  g_requests = 0;
-  g_armed = true;
+  arm();
   loop.pipeline().start_run(header);
   loop.pipeline().set_camera(inputs.camera);
   for (const auto& item : inputs.items) {
@@ -134,8 +94,7 @@ void expect_no_allocation() {
     loop.step({});
   }
   for (int i = 0; i < 5000; ++i) loop.step({});
-  g_armed = false;
-  EXPECT_EQ(g_requests, 0U);
+  EXPECT_EQ(disarm(), 0U);
   EXPECT_TRUE(console.typed.empty());
   EXPECT_GT(memory->counters.frames, 50U);
   EXPECT_GT(console.bytes, 10'000U);
@@ -148,18 +107,6 @@ void expect_no_allocation() {
 TEST(NoAllocation, MicroLoop) { expect_no_allocation<config::Micro>(); }
 TEST(NoAllocation, SmallLoop) { expect_no_allocation<config::Small>(); }
 TEST(NoAllocation, FullLoop) { expect_no_allocation<config::Full>(); }
-
-// The trap itself works.
-TEST(NoAllocation, TheTrapCatchesNewAndMalloc) {
-  g_requests = 0;
-  g_armed = true;
-  auto* one = new std::vector<int>(10);
-  void* volatile two = std::malloc(10);
-  g_armed = false;
-  EXPECT_EQ(g_requests, 3U);
-  std::free(two);
-  delete one;
-}
 
 }  // namespace
 }  // namespace fencepost::test
