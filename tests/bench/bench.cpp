@@ -1,6 +1,5 @@
 // Our kernels beside the libraries that could do their work, in one run: `toolchain/bench`.
 #include <benchmark/benchmark.h>
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>

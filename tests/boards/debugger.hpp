@@ -1,8 +1,6 @@
 // A debugger at QEMU's own door: it can do to a program what no line can.
 #pragma once
 
-#include <string>
-
 #include "tests/boards/emulator.hpp"
 
 namespace fencepost::test {

@@ -3,7 +3,6 @@
 #include <sched.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <stdexcept>
 #include <thread>
 
@@ -16,12 +15,6 @@ constexpr std::chrono::milliseconds kPatience{200'000};
 constexpr std::chrono::milliseconds kLook{500};  // between two looks whether it still runs
 
 constexpr std::chrono::microseconds kNap{500};
-
-std::string make_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "fencepost-board-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  return name;
-}
 
 // This program, the emulator's core and its loop take turns, a thousand times and more a second. On one processor that
 // is half the work that it is on two. Of several tests at once each takes another processor.
@@ -45,10 +38,10 @@ std::string image_of(const std::string& board, const std::string& image) {
   return FENCEPOST_IMAGES_DIR "/" + board + "/" + image;
 }
 
-Emulator::Emulator(const BoardUnderTest& board) : folder_(make_folder()) {
+Emulator::Emulator(const BoardUnderTest& board) {
   std::vector<std::string> sockets;
   for (std::size_t i = 0; i < board.lines; ++i) {
-    sockets.push_back(folder_ + "/line" + std::to_string(i));
+    sockets.push_back(folder_.file("line" + std::to_string(i)));
     lines_.emplace_back(sockets.back());
   }
   start(board.command(sockets));
@@ -60,12 +53,6 @@ void Emulator::await(SocketLine& line) {
     if (child_->ended()) throw std::runtime_error("the emulator has ended before it connected its lines");
     if (WallClock::now() - started_ > kPatience) throw std::runtime_error("the emulator did not connect its lines");
   }
-}
-
-Emulator::~Emulator() {
-  child_.reset();
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 void Emulator::start(const std::vector<std::string>& command) {

@@ -12,6 +12,7 @@
 
 #include "host/emulate/models/device_model.hpp"
 #include "tests/boards/line.hpp"
+#include "tests/folder.hpp"
 #include "tests/process/child.hpp"
 
 namespace fencepost::test {
@@ -58,7 +59,6 @@ class Emulator : public Machine {
  public:
   /// Starts it and waits until all lines are connected. Throws std::runtime_error with the reason.
   explicit Emulator(const BoardUnderTest& board);
-  ~Emulator() override;
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
@@ -77,7 +77,7 @@ class Emulator : public Machine {
   void start(const std::vector<std::string>& command);
   void await(SocketLine& line);
 
-  std::string folder_;
+  Folder folder_;
   std::deque<SocketLine> lines_;
   WallClock::time_point started_ = WallClock::now();
   std::optional<Child> child_;

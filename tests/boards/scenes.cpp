@@ -9,15 +9,10 @@
 #include "host/result/lookup.hpp"
 #include "tests/boards/bench.hpp"
 #include "tests/firmware/loop/desk.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::test {
 namespace {
-
-std::size_t count(std::string_view text, std::string_view word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
 
 host::Point centre_of(const host::Polygon& footprint) {
   host::Point sum{0, 0};

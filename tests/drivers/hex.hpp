@@ -23,6 +23,12 @@ std::vector<std::uint8_t> bytes_of(const Range& range) {
   return {range.begin(), range.end()};
 }
 
+inline std::vector<std::uint8_t> joined(const std::vector<std::vector<std::uint8_t>>& parts) {
+  std::vector<std::uint8_t> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 /// The same for protocols that are mostly text.
 inline std::string hex_text(std::string_view text) {
   const std::vector<std::uint8_t> bytes = hex(text);

@@ -26,7 +26,6 @@ using base::milliseconds;
 using base::Result;
 using bus::CanFrame;
 using linux::Can;
-using linux::CanSettings;
 using linux::Opened;
 
 const std::string kInterface = "vcan7";

@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "tests/host/cli/process.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::guest {
 
-inline std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-  return found;
-}
+using test::count;
 
 class LiveRun : public testing::Test {
  protected:

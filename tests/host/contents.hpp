@@ -1,20 +1,13 @@
-// Whole files, and the bundled recordings.
+// The bundled recordings.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
-namespace fencepost::test {
+#include "tests/folder.hpp"
 
-/// The bytes of a file; empty if there is none.
-inline std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+namespace fencepost::test {
 
 /// The log of a bundled recording, such as "corridor".
 inline std::string bundled_log(const std::string& name) {

@@ -1,7 +1,6 @@
 // A program that runs beside the test.
 #pragma once
 
-#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>

@@ -1,5 +1,4 @@
 // The loop of each profile, instantiated so that its worst-case stack can be read off the call graph.
-#include <cstring>
 
 #include "firmware/loop/loop.hpp"
 

@@ -18,13 +18,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "tests/folder.hpp"
 #include "tests/stage/message.hpp"
 #include "tests/stage/tasks.hpp"
 
@@ -48,15 +45,11 @@ struct Thread {
 class Stage {
  public:
   Stage() {
-    std::string name = (std::filesystem::temp_directory_path() / "fencepost-stage-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-    ::chmod(name.c_str(), 0755);
+    ::chmod(folder_.path().c_str(), 0755);
     open_board();
     listen();
-    ::setenv(kVariable, name.c_str(), 1);
+    ::setenv(kVariable, folder_.path().c_str(), 1);
   }
-  ~Stage() { std::filesystem::remove_all(folder_); }
 
   /// Its exit code.
   int run(char** words) {
@@ -78,7 +71,7 @@ class Stage {
 
  private:
   void open_board() {
-    const Descriptor file(::open((folder_ + kBoard).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    const Descriptor file(::open((folder_.path().string() + kBoard).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (::ftruncate(file.get(), sizeof(Board)) != 0) std::abort();
     void* mapped = ::mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED, file.get(), 0);
     if (mapped == MAP_FAILED) std::abort();
@@ -89,7 +82,7 @@ class Stage {
     listener_ = Descriptor(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    (folder_ + kSocket).copy(address.sun_path, sizeof address.sun_path - 1);
+    (folder_.path().string() + kSocket).copy(address.sun_path, sizeof address.sun_path - 1);
     if (::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         ::listen(listener_.get(), SOMAXCONN) != 0) {
       std::abort();
@@ -227,7 +220,7 @@ class Stage {
     ::send(thread.connection.get(), &message, sizeof message, MSG_NOSIGNAL);
   }
 
-  std::string folder_;
+  test::Folder folder_;
   Board* board_ = nullptr;
   std::uint64_t arrived_ = 0;  ///< Board::written, at the last time when all of it had arrived
   Descriptor listener_;

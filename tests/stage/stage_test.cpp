@@ -14,6 +14,7 @@
 #include <mutex>
 #include <thread>
 
+#include "tests/folder.hpp"
 #include "tests/hal/linux/pty.hpp"
 #include "tests/process/child.hpp"
 
@@ -76,7 +77,7 @@ TEST(Stage, AConditionComesBeforeItsDeadline) {
 // The system brings them to the other end a little later; the clock waits for them.
 TEST(Stage, BytesOnAPtyTakeNoTime) {
   constexpr int kBytes = 1'000;
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const linux::FarEnd far(folder.file("port"));
   const linux::Descriptor near(::open(folder.file("port").c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK));
   const auto pass_on = [](int from, int to) {

@@ -1,10 +1,8 @@
 // A Game Boy Advance in this process: libmgba, whose clock is the machine's.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>

@@ -10,7 +10,6 @@
 
 #include "firmware/recon/models/hybrid/hybrid.hpp"
 #include "firmware/view/palette.hpp"
-#include "host/geometry/planar.hpp"
 #include "host/geometry/rings.hpp"
 #include "host/replay/replay.hpp"
 #include "tests/boards/bench.hpp"

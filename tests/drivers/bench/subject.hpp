@@ -4,11 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <optional>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 #include "hal/base/fnv1a.hpp"
 #include "hal/sensor/link_state.hpp"

@@ -1,5 +1,4 @@
 // libFuzzer entry point: the decoder, and what becomes of its packets. The ordinary tests call it too.
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

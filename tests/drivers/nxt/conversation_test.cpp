@@ -48,8 +48,12 @@ struct TalkBench {
   }
 };
 
-TEST(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
+struct NxtConversation : testing::Test {
+  NxtConversation() { bench.greet(); }
   TalkBench bench;
+};
+
+TEST_F(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
   EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
   bench.greet();
   EXPECT_EQ(bench.conversation.link(), LinkState::kOk);
@@ -62,9 +66,7 @@ TEST(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
   EXPECT_EQ(bench.now - before, base::milliseconds(5'000));
 }
 
-TEST(NxtConversation, OneRequestIsOutstanding) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, OneRequestIsOutstanding) {
   Exchange other;
   other.request = sensor_status(1);
   EXPECT_TRUE(bench.ask(sensor_status(0)));
@@ -80,9 +82,7 @@ TEST(NxtConversation, OneRequestIsOutstanding) {
   EXPECT_EQ(bench.next(), hex("00 0E 01"));
 }
 
-TEST(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
   bench.reply(kWriteReply);
@@ -97,9 +97,7 @@ TEST(NxtConversation, ForeignAndMalformedRepliesAreCounted) {
   EXPECT_EQ(bench.conversation.counters().unmatched, 3U);
 }
 
-TEST(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
   EXPECT_EQ(bench.next(), hex("01 88"));  // timed out: the fence
@@ -111,9 +109,7 @@ TEST(NxtConversation, ALateReplyIsTakenAndCannotAnswerTheNext) {
   EXPECT_EQ(bench.next(), hex("00 0E 01"));
 }
 
-TEST(NxtConversation, ALostReplyIsAskedForAgainThreeTimes) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, ALostReplyIsAskedForAgainThreeTimes) {
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(bench.exchange.state, State::kWaiting);
@@ -126,9 +122,7 @@ TEST(NxtConversation, ALostReplyIsAskedForAgainThreeTimes) {
   EXPECT_EQ(bench.conversation.link(), LinkState::kOk);
 }
 
-TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, SilenceFailsEverybodyAndEnds) {
   EXPECT_TRUE(bench.ask(sensor_status(0)));
   EXPECT_EQ(bench.next(), hex("00 0E 00"));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(bench.next(), hex("01 88"));
@@ -147,9 +141,7 @@ TEST(NxtConversation, SilenceFailsEverybodyAndEnds) {
 }
 
 // Before it was asked: it answers somebody else.
-TEST(NxtConversation, AReplyToWhatWasNotAskedYetIsUnmatched) {
-  TalkBench bench;
-  bench.greet();
+TEST_F(NxtConversation, AReplyToWhatWasNotAskedYetIsUnmatched) {
   bench.exchange.request = keep_alive();
   ASSERT_TRUE(bench.conversation.submit(bench.exchange));
   const std::uint32_t before = bench.conversation.counters().unmatched;

@@ -10,7 +10,6 @@ namespace fencepost::nxt {
 namespace {
 
 using base::Error;
-using sensor::LinkState;
 using test::hex;
 
 struct SensorBench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
@@ -32,9 +31,12 @@ struct SensorBench : test::Bench<test::NxtBrickRig<test::UsbBrick>> {
   }
 };
 
-TEST(NxtSensorPort, ReadsRegisters) {
+struct NxtSensorPort : testing::Test {
+  NxtSensorPort() { bench.attach(); }
   SensorBench bench;
-  bench.attach();
+};
+
+TEST_F(NxtSensorPort, ReadsRegisters) {
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(bench.port.finish(in).error(), Error::kNotReady);
@@ -44,9 +46,7 @@ TEST(NxtSensorPort, ReadsRegisters) {
   EXPECT_TRUE(bench.camera_device.tracking());
 }
 
-TEST(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
-  SensorBench bench;
-  bench.attach();
+TEST_F(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(bench.transfer(0x05, hex("08"), 8, in).error(), Error::kRefused);
@@ -54,9 +54,7 @@ TEST(NxtSensorPort, NobodyAtTheAddressIsRefusedAndTheBusFree) {
   EXPECT_EQ(in[0], 'N');
 }
 
-TEST(NxtSensorPort, LimitsAndOverlap) {
-  SensorBench bench;
-  bench.attach();
+TEST_F(NxtSensorPort, LimitsAndOverlap) {
   bench.run(4'000);
   const std::array<std::uint8_t, 16> sixteen{};
   EXPECT_EQ(bench.port.begin(1, sixteen, 0).error(), Error::kFull);
@@ -68,9 +66,7 @@ TEST(NxtSensorPort, LimitsAndOverlap) {
   EXPECT_EQ(bench.port.begin(1, hex("08"), 8).error(), Error::kFull);
 }
 
-TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
-  SensorBench bench;
-  bench.attach();
+TEST_F(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
   EXPECT_TRUE(bench.port.begin(1, hex("08"), 8));
@@ -85,9 +81,7 @@ TEST(NxtSensorPort, AnUnpluggedBrickHasNoBus) {
 }
 
 // After a restart the port is an ordinary one again: the first transfer says so, the next sets it up.
-TEST(NxtSensorPort, IsSetUpAgainAfterARestart) {
-  SensorBench bench;
-  bench.attach();
+TEST_F(NxtSensorPort, IsSetUpAgainAfterARestart) {
   bench.run(4'000);
   std::array<std::uint8_t, 16> in{};
   EXPECT_EQ(bench.transfer(0x01, hex("10"), 8, in).value(), 8U);

@@ -11,6 +11,7 @@ namespace {
 
 using test::bytes_of;
 using test::hex;
+using test::joined;
 using Messages = std::vector<std::vector<std::uint8_t>>;
 
 const char* const kTwo = "0A 02 02 3C 28 50 46 05 64 64 78 82 FF";
@@ -28,11 +29,6 @@ Messages heard(const std::vector<std::uint8_t>& bytes) {
 const auto avrcam = heard<kLongestTracking, examine_avrcam>;
 const auto v5 = heard<kLongestV5, examine_v5>;
 
-std::vector<std::uint8_t> joined(std::initializer_list<std::vector<std::uint8_t>> parts) {
-  std::vector<std::uint8_t> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
 std::vector<std::uint8_t> typed(const std::string& text) { return {text.begin(), text.end()}; }
 
 TEST(AvrCam, DocumentedPacket) {

@@ -57,8 +57,11 @@ struct Listener {
 
 std::vector<sensor::Blob> blobs_of(const sensor::BlobFrame& frame) { return {frame.blobs.begin(), frame.blobs.end()}; }
 
-TEST(Pixy1, BringsTheDocumentsExampleToOurPixels) {
+struct Pixy1Test : testing::Test {
   Listener listener;
+};
+
+TEST_F(Pixy1Test, BringsTheDocumentsExampleToOurPixels) {
   EXPECT_TRUE(listener.hears(kMark + kOne + kTwo).empty()) << "more blocks may follow";
   const auto frames = listener.hears(kIdle);
   ASSERT_EQ(frames.size(), 1U);
@@ -67,8 +70,7 @@ TEST(Pixy1, BringsTheDocumentsExampleToOurPixels) {
   EXPECT_EQ(listener.session.link(), LinkState::kOk);
 }
 
-TEST(Pixy1, TheNextImagesMarkEndsOneToo) {
-  Listener listener;
+TEST_F(Pixy1Test, TheNextImagesMarkEndsOneToo) {
   const auto frames = listener.hears(kMark + kOne + kMark + kTwo + kMark + kCode + kIdle);
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
@@ -77,8 +79,7 @@ TEST(Pixy1, TheNextImagesMarkEndsOneToo) {
   EXPECT_EQ(frames[2].frame, 2U);
 }
 
-TEST(Pixy1, AColourCodesSignatureIsItsOctalNumber) {
-  Listener listener;
+TEST_F(Pixy1Test, AColourCodesSignatureIsItsOctalNumber) {
   const auto frames = listener.hears(kMark + kOne + kCode + kIdle);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(blobs_of(frames[0]), (std::vector{kCodeBlob, kOneBlob})) << "60 x 21 is larger than 40 x 31";
@@ -89,7 +90,7 @@ TEST(Pixy1, AColourCodesSignatureIsItsOctalNumber) {
   EXPECT_EQ(listener.session.dropped(), 1U);
 }
 
-TEST(Pixy1, BoxesAtTheEdges) {
+TEST_F(Pixy1Test, BoxesAtTheEdges) {
   const auto box = [](const char* text) { return blob_of(hex(text)); };
   // 320 x 199 around (160, 99): the whole image.
   EXPECT_EQ(box("55 AA 00 00 01 00 A0 00 63 00 40 01 C7 00"), (sensor::Blob{1, 0, 0, 319, 199, {1'595}, {995}, 0, {}}));
@@ -103,7 +104,7 @@ TEST(Pixy1, BoxesAtTheEdges) {
 }
 
 // 40 columns, 30 rows and the last one: 0 to 39 and 280 to 319, 0 to 30 and 169 to 199.
-TEST(Pixy1, BoxesThatTouchTheEdgesAreInside) {
+TEST_F(Pixy1Test, BoxesThatTouchTheEdgesAreInside) {
   const auto box = [](unsigned signature, unsigned x, unsigned y) {
     Bytes block = hex("55 AA 00 00 01 00 00 00 00 00 28 00 1E 00");
     for (const auto& [at, word] : {std::pair(std::size_t{4}, signature), {std::size_t{6}, x}, {std::size_t{8}, y}}) {
@@ -140,7 +141,7 @@ Bytes block_of(const Bytes& block, unsigned signature) {
 }
 
 // OpenMV's emulation of a Pixy sorts by area. What a camera never sends is one thing twice.
-TEST(Pixy1, BlocksComeInAnyOrderAndEachThingOnce) {
+TEST_F(Pixy1Test, BlocksComeInAnyOrderAndEachThingOnce) {
   const auto images = [](const Bytes& blocks) { return Listener().hears(kMark + blocks + kIdle).size(); };
   EXPECT_EQ(images(block_of(kOne, 7) + block_of(kTwo, 7)), 1U);
   EXPECT_EQ(images(block_of(kOne, 7) + block_of(kTwo, 6)), 1U);
@@ -149,19 +150,18 @@ TEST(Pixy1, BlocksComeInAnyOrderAndEachThingOnce) {
   EXPECT_EQ(images(kTwo + kOne + kTwo), 0U);
 }
 
-TEST(Pixy1, AColourCodeAbove255IsCounted) {
+TEST_F(Pixy1Test, AColourCodeAbove255IsCounted) {
   for (const auto& [signature, given] : {std::pair(255U, 1U), {256U, 0U}, {257U, 0U}}) {
-    Listener listener;
-    const auto frames = listener.hears(kMark + block_of(kCode, signature) + kIdle);
+    Listener fresh;
+    const auto frames = fresh.hears(kMark + block_of(kCode, signature) + kIdle);
     ASSERT_EQ(frames.size(), 1U) << signature;
     EXPECT_EQ(frames[0].blobs.size(), given) << signature;
-    EXPECT_EQ(listener.session.dropped(), 1U - given) << signature;
+    EXPECT_EQ(fresh.session.dropped(), 1U - given) << signature;
   }
   EXPECT_EQ(Listener().hears(kMark + block_of(kOne, 256) + kIdle).size(), 0U) << "no block has it";
 }
 
-TEST(Pixy1, AnImageThatEndsInSilenceIsNone) {
-  Listener listener;
+TEST_F(Pixy1Test, AnImageThatEndsInSilenceIsNone) {
   EXPECT_TRUE(listener.hears(kMark + kOne).empty());
   listener.wait(501);
   EXPECT_TRUE(listener.hears(kIdle).empty());
@@ -170,7 +170,7 @@ TEST(Pixy1, AnImageThatEndsInSilenceIsNone) {
 }
 
 // Half a second, to the tenth of a millisecond.
-TEST(Pixy1, WaitsHalfASecond) {
+TEST_F(Pixy1Test, WaitsHalfASecond) {
   Session session{Options{}};
   Time now{};
   const auto hear = [&](const Bytes& bytes) {
@@ -189,8 +189,7 @@ TEST(Pixy1, WaitsHalfASecond) {
   EXPECT_EQ(session.link(), LinkState::kSilent);
 }
 
-TEST(Pixy1, AnImageWhoseMarkWasLostIsNotAddedToTheOneBefore) {
-  Listener listener;
+TEST_F(Pixy1Test, AnImageWhoseMarkWasLostIsNotAddedToTheOneBefore) {
   const auto frames = listener.hears(kMark + kOne + kTwo + kOne + kTwo + kMark + kOne + kIdle);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
@@ -198,14 +197,13 @@ TEST(Pixy1, AnImageWhoseMarkWasLostIsNotAddedToTheOneBefore) {
 }
 
 // 0xAA55 = 1 + 160 + 100 + 40 + 43220: no camera sends that height, but the words of a block may be any.
-TEST(Pixy1, ASumThatLooksLikeAMarkCostsItsImage) {
-  Listener listener;
+TEST_F(Pixy1Test, ASumThatLooksLikeAMarkCostsItsImage) {
   const auto frames = listener.hears(kMark + hex("55 AA 55 AA 01 00 A0 00 64 00 28 00 28 A9") + kMark + kOne + kIdle);
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_EQ(blobs_of(frames[0]), (std::vector{kOneBlob}));
 }
 
-TEST(Pixy1, MoreBlocksThanAFrameHoldsAreCounted) {
+TEST_F(Pixy1Test, MoreBlocksThanAFrameHoldsAreCounted) {
   Bytes image = kMark;
   for (std::uint8_t width = 2; width <= 40; width = static_cast<std::uint8_t>(width + 2)) {
     Bytes block = hex("55 AA 00 00 01 00 A0 00 64 00 00 00 1E 00");
@@ -217,7 +215,6 @@ TEST(Pixy1, MoreBlocksThanAFrameHoldsAreCounted) {
     block[10] = width;
     image = image + block;
   }
-  Listener listener;
   const auto frames = listener.hears(image + kMark + kOne + kIdle);
   ASSERT_EQ(frames.size(), 2U);
   ASSERT_EQ(frames[0].blobs.size(), 16U);
@@ -228,8 +225,7 @@ TEST(Pixy1, MoreBlocksThanAFrameHoldsAreCounted) {
 }
 
 // A UART's two zeros with each image, 20 ms apart: the fourth in a row says that there is nothing.
-TEST(Pixy1, ZerosAloneAreAnImageWithoutBlocks) {
-  Listener listener;
+TEST_F(Pixy1Test, ZerosAloneAreAnImageWithoutBlocks) {
   ASSERT_EQ(listener.hears(kMark + kOne + kIdle).size(), 1U);
   std::vector<std::size_t> frames;
   for (int image = 0; image < 7; ++image) {

@@ -10,6 +10,7 @@ namespace {
 
 using test::bytes_of;
 using test::hex;
+using test::joined;
 
 const char* const kVersionReply = "AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00";
 const char* const kOneBlock = "AF C1 21 0E 6D 01 01 00 9E 00 68 00 28 00 1E 00 00 00 07 19";
@@ -36,12 +37,6 @@ Heard hear(const std::vector<std::uint8_t>& bytes) {
   }
   heard.damaged = scanner.damaged();
   return heard;
-}
-
-std::vector<std::uint8_t> joined(std::initializer_list<std::vector<std::uint8_t>> parts) {
-  std::vector<std::uint8_t> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
 }
 
 TEST(Pixy2Packets, RequestsAreTheDocumentedBytes) {

@@ -3,12 +3,18 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace fencepost::test {
 
 /// Finds what looks like messages of a protocol in `bytes` and writes each one's checksum over what stands there. What
 /// is cut off at the end, or too long for the protocol, stays.
 using Seal = void (*)(std::span<std::uint8_t> bytes);
+
+inline std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> bytes, Seal seal) {
+  seal(bytes);
+  return bytes;
+}
 
 void seal_create(std::span<std::uint8_t> bytes);
 void seal_huskylens(std::span<std::uint8_t> bytes);

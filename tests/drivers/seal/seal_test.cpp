@@ -12,10 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes sealed(Bytes bytes, Seal seal) {
-  seal(bytes);
-  return bytes;
-}
+using test::sealed;
 std::string sealed(std::string_view text, Seal seal) {
   const Bytes bytes = sealed(bytes_of(text), seal);
   return {bytes.begin(), bytes.end()};

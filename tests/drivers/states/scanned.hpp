@@ -69,11 +69,6 @@ constexpr std::uint16_t one_of(std::size_t length, const std::array<std::uint16_
   return 0xFFFF;
 }
 
-inline Bytes sealed(Bytes bytes, Seal seal) {
-  seal(bytes);
-  return bytes;
-}
-
 inline Bytes repeated(const Bytes& bytes, std::size_t times) {
   Bytes all;
   for (std::size_t i = 0; i < times; ++i) all.insert(all.end(), bytes.begin(), bytes.end());

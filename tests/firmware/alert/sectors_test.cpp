@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "firmware/config/profile.hpp"
 #include "tests/firmware/alert/box_outline.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <random>
-#include <vector>
 
 #include "firmware/alert/front_alert.hpp"
 

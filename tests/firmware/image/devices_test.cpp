@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "firmware/config/devices.hpp"
 
 namespace fencepost::image {

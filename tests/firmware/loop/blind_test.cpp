@@ -98,8 +98,11 @@ class BlindRobot {
   std::uint32_t number_ = 0;
 };
 
-TEST(Blind, NeverOfAHealthyRobotWhoseHeartBeatsTenTimesASecond) {
-  BlindRobot robot(console::Mode::kLog);
+struct Blind : testing::Test {
+  BlindRobot robot{console::Mode::kLog};
+};
+
+TEST_F(Blind, NeverOfAHealthyRobotWhoseHeartBeatsTenTimesASecond) {
   robot.speed = 0.15;  // everything ahead stays beyond the distance of a notice
   robot.run(10);
   const Records records = robot.records();
@@ -112,8 +115,7 @@ TEST(Blind, NeverOfAHealthyRobotWhoseHeartBeatsTenTimesASecond) {
   EXPECT_EQ(records.beats.back().odometry, LinkState::kOk);
 }
 
-TEST(Blind, IsSaidOfASilentCameraAndTakenBack) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, IsSaidOfASilentCameraAndTakenBack) {
   robot.run(2);
   robot.camera_on = false;
   robot.run(1);
@@ -131,8 +133,7 @@ TEST(Blind, IsSaidOfASilentCameraAndTakenBack) {
   EXPECT_EQ(back.alerts.back().id, record::kNoObject);
 }
 
-TEST(Blind, IsSaidWhenBothAreSilentAndStreamTimeWouldStandStill) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, IsSaidWhenBothAreSilentAndStreamTimeWouldStandStill) {
   robot.run(2);
   robot.camera_on = robot.odometry_on = false;
   robot.run(2);
@@ -143,16 +144,15 @@ TEST(Blind, IsSaidWhenBothAreSilentAndStreamTimeWouldStandStill) {
   EXPECT_EQ(records.beats.back().odometry, LinkState::kSilent);
 }
 
-TEST(Blind, IsSaidOfARobotThatHasNeverSeenAnything) {
-  BlindRobot robot(console::Mode::kText);
-  robot.camera_on = robot.odometry_on = false;
-  robot.run(2);
-  EXPECT_NE(robot.link.text.find("BLIND   the camera has sent no frame yet\r\n"), std::string::npos) << robot.link.text;
+TEST_F(Blind, IsSaidOfARobotThatHasNeverSeenAnything) {
+  BlindRobot fresh(console::Mode::kText);
+  fresh.camera_on = fresh.odometry_on = false;
+  fresh.run(2);
+  EXPECT_NE(fresh.link.text.find("BLIND   the camera has sent no frame yet\r\n"), std::string::npos) << fresh.link.text;
 }
 
 // The loop was kept for two seconds, by a disk or a busy machine; the first thing that it finds came before that.
-TEST(Blind, IsSaidAtOnceOfAnInputThatLayInABuffer) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, IsSaidAtOnceOfAnInputThatLayInABuffer) {
   robot.run(2);
   robot.camera.items.push_back(flat_view({{3, -0.2, 0.2, 1}}, robot.x, 0, robot.t + 0.01, 999));
   robot.t += 2;
@@ -162,8 +162,7 @@ TEST(Blind, IsSaidAtOnceOfAnInputThatLayInABuffer) {
 }
 
 // Inputs that are rejected do not keep stream time from passing.
-TEST(Blind, IsSaidWhileAllThatComesIsRejected) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, IsSaidWhileAllThatComesIsRejected) {
   robot.run(2);
   robot.odometry_on = false;
   for (int i = 0; i < 50; ++i) {
@@ -178,8 +177,7 @@ TEST(Blind, IsSaidWhileAllThatComesIsRejected) {
 }
 
 // A replay knows nothing of refused inputs: no frame is given up because one came.
-TEST(Blind, WhatIsRefusedHasNoEffects) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, WhatIsRefusedHasNoEffects) {
   robot.run(2);
   robot.camera_on = robot.odometry_on = false;
   robot.run(0.1);
@@ -202,8 +200,7 @@ TEST(Blind, WhatIsRefusedHasNoEffects) {
 }
 
 // A controller whose clock loses a tenth of a second each second: its time is followed.
-TEST(Blind, IsNotSaidOfAStampThatFallsBehind) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, IsNotSaidOfAStampThatFallsBehind) {
   robot.camera_on = robot.odometry_on = false;
   std::uint32_t number = 0;
   for (int i = 1; i <= 500; ++i) {
@@ -216,8 +213,7 @@ TEST(Blind, IsNotSaidOfAStampThatFallsBehind) {
     EXPECT_NE(alert.level, AlertLevel::kBlind) << alert.t.raw;
 }
 
-TEST(Blind, AStreamOfAnotherClockStandsStillWithItsSender) {
-  BlindRobot robot(console::Mode::kLog);
+TEST_F(Blind, AStreamOfAnotherClockStandsStillWithItsSender) {
   robot.camera.here = robot.odometry.here = false;
   robot.run(2);
   robot.camera_on = robot.odometry_on = false;
@@ -225,19 +221,19 @@ TEST(Blind, AStreamOfAnotherClockStandsStillWithItsSender) {
   EXPECT_LE(robot.records().beats.back().t.to_double(), 2.01);
 }
 
-TEST(Blind, IsSaidInEachMode) {
+TEST_F(Blind, IsSaidInEachMode) {
   for (const console::Mode mode : {console::Mode::kText, console::Mode::kPlot}) {
-    BlindRobot robot(mode);
-    robot.run(2);
-    robot.camera_on = false;
-    robot.run(0.5);
+    BlindRobot fresh(mode);
+    fresh.run(2);
+    fresh.camera_on = false;
+    fresh.run(0.5);
     const char* said =
         mode == console::Mode::kText ? "BLIND   no frame comes from the camera\r\n" : "level:4,camera:1,odometry:4\r\n";
-    EXPECT_NE(robot.link.text.find(said), std::string::npos) << robot.link.text;
-    robot.camera_on = true;
-    robot.run(0.5);
+    EXPECT_NE(fresh.link.text.find(said), std::string::npos) << fresh.link.text;
+    fresh.camera_on = true;
+    fresh.run(0.5);
     const char* after = mode == console::Mode::kText ? "CLEAR   it sees again\r\n" : "level:0,camera:4,odometry:4\r\n";
-    EXPECT_NE(robot.link.text.rfind(after), std::string::npos) << robot.link.text;
+    EXPECT_NE(fresh.link.text.rfind(after), std::string::npos) << fresh.link.text;
   }
 }
 

@@ -2,7 +2,6 @@
 // is silent.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>

@@ -9,7 +9,7 @@
 #include "firmware/loop/loop.hpp"
 #include "firmware/record/stream_reader.hpp"
 #include "hal/fake/scripted_source.hpp"
-#include "tests/firmware/level_pixy2.hpp"
+#include "tests/firmware/loop/desk.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -18,22 +18,6 @@ using base::Metres;
 using base::Time;
 using console::Mode;
 using console::Refusal;
-
-sensor::OdometrySample odometry(double t, double x = 0) { return {Time::nearest(t), Metres::nearest(x), {}, {}}; }
-
-// A post straight ahead, 0.1 m wide, its front 1 m from the origin; seen from (x, 0).
-sensor::BlobFrame frame(double t, std::uint32_t number, double x = 0) {
-  sensor::BlobFrame frame{Time::nearest(t), number, {}};
-  const double depth = 1 - x;
-  sensor::Blob blob;
-  blob.signature = 1;
-  blob.x1 = static_cast<std::int16_t>(157.5 - 273.6 * 0.05 / depth);
-  blob.x2 = static_cast<std::int16_t>(157.5 + 273.6 * 0.05 / depth);
-  blob.y1 = 100;
-  blob.y2 = static_cast<std::int16_t>(std::min(207.0, 103.5 + 273.6 * 0.12 / depth - 0.5));
-  EXPECT_TRUE(frame.blobs.push_back(blob));
-  return frame;
-}
 
 template <class Profile = config::Small>
 struct Bench {
@@ -61,12 +45,12 @@ struct Bench {
 
 TEST(Pipeline, AFrameWaitsForTheOdometryAtItsExposure) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.07, 1));  // exposed at 1.02
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.07, 1));  // exposed at 1.02
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.accept(odometry(1.0199));
+  bench.pipeline.accept(desk_odometry(1.0199));
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.accept(odometry(1.02));
+  bench.pipeline.accept(desk_odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.memory->counters.frames, 1U);
 }
@@ -74,22 +58,22 @@ TEST(Pipeline, AFrameWaitsForTheOdometryAtItsExposure) {
 TEST(Pipeline, SaysWhetherTheLatestInputWasUsed) {
   Bench bench;
   loop::Pipeline<config::Small>& pipeline = bench.pipeline;
-  EXPECT_FALSE(pipeline.accept(odometry(1.0)));
+  EXPECT_FALSE(pipeline.accept(desk_odometry(1.0)));
   EXPECT_TRUE(pipeline.used_input());
-  EXPECT_EQ(pipeline.accept(odometry(1.0)), record::Reject::kTime);
+  EXPECT_EQ(pipeline.accept(desk_odometry(1.0)), record::Reject::kTime);
   EXPECT_FALSE(pipeline.used_input());
-  EXPECT_FALSE(pipeline.accept(frame(1.05, 1)));
+  EXPECT_FALSE(pipeline.accept(desk_frame(1.05, 1)));
   EXPECT_TRUE(pipeline.used_input());
-  EXPECT_EQ(pipeline.accept(frame(1.05, 2)), record::Reject::kTime);
+  EXPECT_EQ(pipeline.accept(desk_frame(1.05, 2)), record::Reject::kTime);
   EXPECT_FALSE(pipeline.used_input());
-  EXPECT_FALSE(pipeline.accept(frame(1.06, 3)));
+  EXPECT_FALSE(pipeline.accept(desk_frame(1.06, 3)));
   EXPECT_TRUE(pipeline.used_input());
-  sensor::BlobFrame outside = frame(1.07, 4);
+  sensor::BlobFrame outside = desk_frame(1.07, 4);
   outside.blobs[0].x2 = 316;
   EXPECT_EQ(pipeline.accept(outside), record::Reject::kRange);
   EXPECT_FALSE(pipeline.used_input());
-  EXPECT_FALSE(pipeline.accept(frame(1.08, 5)));
-  EXPECT_EQ(pipeline.accept(odometry(1.1, 300'000)), record::Reject::kRange);
+  EXPECT_FALSE(pipeline.accept(desk_frame(1.08, 5)));
+  EXPECT_EQ(pipeline.accept(desk_odometry(1.1, 2'000)), record::Reject::kRange);
   EXPECT_FALSE(pipeline.used_input());
 }
 
@@ -103,27 +87,27 @@ TEST(Pipeline, StreamTimeFollowsTheClockSlowly) {
     return bench.memory->run.behind->raw;
   };
   EXPECT_FALSE(pipeline.has_clock());
-  pipeline.accept(odometry(1.0));
+  pipeline.accept(desk_odometry(1.0));
   EXPECT_EQ(behind(20'000), 10'000);
   EXPECT_TRUE(pipeline.has_clock());
-  pipeline.accept(odometry(1.1));
+  pipeline.accept(desk_odometry(1.1));
   EXPECT_EQ(behind(20'900), 9'900);
-  pipeline.accept(odometry(1.2));
+  pipeline.accept(desk_odometry(1.2));
   EXPECT_EQ(behind(21'950), 9'950) << "by less than 10 ms";
-  pipeline.accept(odometry(1.3));
+  pipeline.accept(desk_odometry(1.3));
   EXPECT_EQ(behind(30'000), 10'050);
-  pipeline.accept(frame(1.25, 1));
+  pipeline.accept(desk_frame(1.25, 1));
   EXPECT_EQ(behind(30'000), 10'050) << "it was late";
   EXPECT_EQ(behind(22'000), 9'000) << "less is believed of any";
 }
 
 TEST(Pipeline, AFrameWaitsAtMost200msOfStreamTime) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.07, 1));
-  bench.pipeline.accept(frame(1.2699, 2));
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.07, 1));
+  bench.pipeline.accept(desk_frame(1.2699, 2));
   EXPECT_EQ(bench.place(), 0);
-  bench.pipeline.accept(frame(1.27, 3));
+  bench.pipeline.accept(desk_frame(1.27, 3));
   EXPECT_EQ(bench.place(), 1);  // the first is given up
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
   EXPECT_EQ(bench.memory->waiting.size(), 2U);
@@ -131,22 +115,22 @@ TEST(Pipeline, AFrameWaitsAtMost200msOfStreamTime) {
 
 TEST(Pipeline, AtMostFourFramesWait) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  for (int i = 0; i < 5; ++i) bench.pipeline.accept(frame(1.06 + 0.01 * i, static_cast<std::uint32_t>(i)));
+  bench.pipeline.accept(desk_odometry(1.00));
+  for (int i = 0; i < 5; ++i) bench.pipeline.accept(desk_frame(1.06 + 0.01 * i, static_cast<std::uint32_t>(i)));
   EXPECT_EQ(bench.memory->waiting.size(), 4U);
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
-  bench.pipeline.accept(odometry(1.10));
+  bench.pipeline.accept(desk_odometry(1.10));
   EXPECT_EQ(bench.place(), 4);
 }
 
 TEST(Pipeline, FramesBeforeTheFirstOdometryAndInGapsAreRefused) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.04, 1));  // exposed at 0.99
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.04, 1));  // exposed at 0.99
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
-  bench.pipeline.accept(frame(1.85, 2));
-  bench.pipeline.accept(odometry(2.00));
+  bench.pipeline.accept(desk_frame(1.85, 2));
+  bench.pipeline.accept(desk_odometry(2.00));
   EXPECT_EQ(bench.place(), 1);
   EXPECT_EQ(bench.refused(Refusal::kOdometryGap), 1U);
   EXPECT_EQ(bench.memory->counters.frames, 0U);
@@ -155,29 +139,29 @@ TEST(Pipeline, FramesBeforeTheFirstOdometryAndInGapsAreRefused) {
 TEST(Pipeline, WithoutCalibrationFramesAreRefused) {
   Bench bench;
   bench.pipeline.start_run(bench.header);
-  bench.pipeline.accept(odometry(1.0));
-  bench.pipeline.accept(frame(1.1, 1));
+  bench.pipeline.accept(desk_odometry(1.0));
+  bench.pipeline.accept(desk_frame(1.1, 1));
   EXPECT_EQ(bench.refused(Refusal::kNoCamera), 1U);
   EXPECT_EQ(bench.pipeline.stream_time(), Time::nearest(1.1)) << "time goes on";
-  EXPECT_EQ(bench.pipeline.accept(frame(1.1, 2)), record::Reject::kTime);
+  EXPECT_EQ(bench.pipeline.accept(desk_frame(1.1, 2)), record::Reject::kTime);
 }
 
 TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.06, 1));  // latency 0.05: exposed at 1.01
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.06, 1));  // latency 0.05: exposed at 1.01
   bench.pipeline.set_camera(level_pixy2(0.02));
-  bench.pipeline.accept(frame(1.07, 2));  // latency 0.02: exposed at 1.05
-  bench.pipeline.accept(odometry(1.02));
+  bench.pipeline.accept(desk_frame(1.07, 2));  // latency 0.02: exposed at 1.05
+  bench.pipeline.accept(desk_odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
-  bench.pipeline.accept(odometry(1.05));
+  bench.pipeline.accept(desk_odometry(1.05));
   EXPECT_EQ(bench.place(), 1);
   // Only the calibrations in use are kept, two at a time. What a third one displaces is refused, not misread.
-  bench.pipeline.accept(frame(1.20, 3));
+  bench.pipeline.accept(desk_frame(1.20, 3));
   bench.pipeline.set_camera(level_pixy2(0.03));
   bench.pipeline.set_camera(level_pixy2(0.04));
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
-  bench.pipeline.accept(frame(1.21, 4));
+  bench.pipeline.accept(desk_frame(1.21, 4));
   bench.pipeline.set_camera(level_pixy2(0.05));
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
@@ -186,24 +170,24 @@ TEST(Pipeline, ACalibrationAppliesToTheFramesAfterIt) {
 
 TEST(Pipeline, RejectsWhatAReaderOfTheLogWouldReject) {
   Bench bench;
-  EXPECT_EQ(bench.pipeline.accept(odometry(1.00)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.accept(odometry(1.00)), record::Reject::kTime);
-  EXPECT_EQ(bench.pipeline.accept(frame(1.02, 1)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.accept(frame(1.01, 2)), record::Reject::kTime);
-  sensor::BlobFrame outside = frame(1.03, 3);
+  EXPECT_EQ(bench.pipeline.accept(desk_odometry(1.00)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(desk_odometry(1.00)), record::Reject::kTime);
+  EXPECT_EQ(bench.pipeline.accept(desk_frame(1.02, 1)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(desk_frame(1.01, 2)), record::Reject::kTime);
+  sensor::BlobFrame outside = desk_frame(1.03, 3);
   outside.blobs[0].x2 = 316;
   EXPECT_EQ(bench.pipeline.accept(outside), record::Reject::kRange);
   EXPECT_EQ(bench.memory->counters.rejected, 3U);
   bench.pipeline.restart();  // times start again
-  EXPECT_EQ(bench.pipeline.accept(odometry(0.5)), std::nullopt);
-  EXPECT_EQ(bench.pipeline.accept(frame(0.5, 4)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(desk_odometry(0.5)), std::nullopt);
+  EXPECT_EQ(bench.pipeline.accept(desk_frame(0.5, 4)), std::nullopt);
 }
 
 TEST(Pipeline, ARestartKeepsCalibrationAndSettingsAndCounts) {
   Bench bench;
   ASSERT_EQ(bench.pipeline.set("alert.stop", "0.30"), std::nullopt);
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.04, 1));
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.04, 1));
   bench.pipeline.restart();
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);  // the frame that waited
   EXPECT_TRUE(bench.memory->calibration.known);
@@ -214,18 +198,18 @@ TEST(Pipeline, ARestartKeepsCalibrationAndSettingsAndCounts) {
 
 TEST(Pipeline, IdenticalCalibrationHasNoEffect) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.06, 1));
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.06, 1));
   for (int i = 0; i < 5; ++i) bench.pipeline.set_camera(level_pixy2());
   EXPECT_EQ(bench.memory->waiting.size(), 1U);
-  bench.pipeline.accept(odometry(1.02));
+  bench.pipeline.accept(desk_odometry(1.02));
   EXPECT_EQ(bench.place(), 1);
 }
 
 TEST(Pipeline, TheEndOfTheStreamRefusesWhatStillWaits) {
   Bench bench;
-  bench.pipeline.accept(odometry(1.00));
-  bench.pipeline.accept(frame(1.07, 1));
+  bench.pipeline.accept(desk_odometry(1.00));
+  bench.pipeline.accept(desk_frame(1.07, 1));
   bench.pipeline.finish();
   EXPECT_EQ(bench.refused(Refusal::kNoPose), 1U);
 }
@@ -234,12 +218,12 @@ TEST(Pipeline, TheEndOfTheStreamRefusesWhatStillWaits) {
 TEST(Pipeline, TheAlertComesWithTheConfirmingFrame) {
   Bench bench(Mode::kText);
   bench.pipeline.set_signature({1, {0xd0, 0x20, 0x20}, "red"});
-  bench.pipeline.accept(odometry(0.0, 0.8));
+  bench.pipeline.accept(desk_odometry(0.0, 0.8));
   for (std::uint32_t i = 1; i <= 3; ++i) {
     EXPECT_EQ(bench.output(), "") << i;
     const double t = 0.1 * i;
-    bench.pipeline.accept(odometry(t, 0.8));
-    bench.pipeline.accept(frame(t, i, 0.8));
+    bench.pipeline.accept(desk_odometry(t, 0.8));
+    bench.pipeline.accept(desk_frame(t, i, 0.8));
     EXPECT_EQ(bench.place(), 1);
   }
   // 0.2 m away the foot of the post is below the image; that it is, tells that the post is near.
@@ -251,13 +235,13 @@ TEST(Pipeline, TheAlertComesWithTheConfirmingFrame) {
 TEST(Pipeline, KeepsWarningWhenTheCameraFallsSilent) {
   Bench bench(Mode::kText);
   for (std::uint32_t i = 0; i <= 5; ++i) {
-    bench.pipeline.accept(odometry(0.1 * i, 0.02 * i));
-    bench.pipeline.accept(frame(0.1 * i, i, 0.02 * i));
+    bench.pipeline.accept(desk_odometry(0.1 * i, 0.02 * i));
+    bench.pipeline.accept(desk_frame(0.1 * i, i, 0.02 * i));
     bench.place();
   }
   EXPECT_EQ(bench.output().find("STOP"), std::string::npos);
   for (int i = 6; i <= 50; ++i) {  // blind, still driving at 0.2 m/s
-    bench.pipeline.accept(odometry(0.1 * i, 0.02 * i));
+    bench.pipeline.accept(desk_odometry(0.1 * i, 0.02 * i));
     bench.place();
     bench.pipeline.watch_without_frames();
   }
@@ -290,8 +274,8 @@ Script approach(int frames) {
   for (int i = 0; i < frames; ++i) {
     const double t = 0.02 * i;
     const double x = 0.0008 * i;
-    script.odometry.push_back({Time::nearest(t), odometry(t, x)});
-    script.camera.push_back({Time::nearest(t), frame(t, static_cast<std::uint32_t>(i), x)});
+    script.odometry.push_back({Time::nearest(t), desk_odometry(t, x)});
+    script.camera.push_back({Time::nearest(t), desk_frame(t, static_cast<std::uint32_t>(i), x)});
   }
   return script;
 }

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/firmware/record/lines.hpp"
 
 namespace fencepost::record {

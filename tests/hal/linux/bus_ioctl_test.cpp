@@ -4,7 +4,6 @@
 #include <linux/i2c.h>
 #include <linux/spi/spidev.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
@@ -14,8 +13,8 @@
 
 #include "hal/linux/i2c.hpp"
 #include "hal/linux/spi.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/fake_ioctl.hpp"
-#include "tests/hal/linux/pty.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -39,7 +38,7 @@ class Node {
   void unplug() const { std::filesystem::remove(path); }
 
  private:
-  TestFolder folder_;
+  test::Folder folder_;
 
  public:
   std::string path = folder_.file("bus");

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -24,7 +24,7 @@ class GpioLineTest : public ::testing::Test {
     return all;
   }
 
-  TestFolder folder_;
+  test::Folder folder_;
   std::string path_ = folder_.file("levels");
 };
 

@@ -12,6 +12,7 @@
 
 #include "hal/linux/clock.hpp"
 #include "hal/linux/wait.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -19,10 +20,7 @@ namespace {
 using base::Error;
 using base::milliseconds;
 using base::Time;
-
-std::span<const std::uint8_t> octets(std::string_view text) {
-  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
-}
+using test::octets;
 
 /// Listens on this machine, at a free port or at one that was free.
 class Server {
@@ -95,8 +93,11 @@ bool connects(Tcp& tcp, Time& now) {
   return tcp.connected();
 }
 
-TEST(Tcp, CarriesBytesBothWays) {
+struct TcpTest : testing::Test {
   Server server;
+};
+
+TEST_F(TcpTest, CarriesBytesBothWays) {
   Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();
   server.accept();
@@ -109,18 +110,14 @@ TEST(Tcp, CarriesBytesBothWays) {
   EXPECT_EQ(server.hear(4), "pong");
 }
 
-TEST(Tcp, FindsNames) {
-  Server server;
+TEST_F(TcpTest, FindsNames) {
   Opened<Tcp> tcp = Tcp::open({"localhost", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();  // where it names ::1 first, that refuses and the next is tried
 }
 
-TEST(Tcp, SaysWhatFailedWhereAndWhatToTry) {
-  std::uint16_t free_port = 0;
-  {
-    const Server server;
-    free_port = server.port();
-  }
+TEST_F(TcpTest, SaysWhatFailedWhereAndWhatToTry) {
+  const std::uint16_t free_port = server.port();
+  server.stop();
   Opened<Tcp> refused = Tcp::open({"127.0.0.1", free_port});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.problem().find("127.0.0.1:" + std::to_string(free_port)), std::string::npos) << refused.problem();
@@ -131,8 +128,7 @@ TEST(Tcp, SaysWhatFailedWhereAndWhatToTry) {
   EXPECT_NE(unknown.problem().find("no such host"), std::string::npos) << unknown.problem();
 }
 
-TEST(Tcp, ComesBackAfterTheServerDid) {
-  Server server;
+TEST_F(TcpTest, ComesBackAfterTheServerDid) {
   Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();
   server.accept();
@@ -156,8 +152,7 @@ TEST(Tcp, ComesBackAfterTheServerDid) {
   EXPECT_EQ(wait_and_read(*tcp, in).value(), 5U);
 }
 
-TEST(Tcp, ConnectsLaterToWhoeverComesUpByThen) {
-  Server server;
+TEST_F(TcpTest, ConnectsLaterToWhoeverComesUpByThen) {
   const std::uint16_t port = server.port();
   server.stop();
   Opened<Tcp> tcp = Tcp::later({"localhost", port});  // may name ::1 first, where nobody will listen
@@ -170,8 +165,7 @@ TEST(Tcp, ConnectsLaterToWhoeverComesUpByThen) {
   EXPECT_TRUE(connects(*tcp, now)) << tcp->problem();
 }
 
-TEST(Tcp, LooksForTheServerFourTimesASecond) {
-  Server server;
+TEST_F(TcpTest, LooksForTheServerFourTimesASecond) {
   Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();
   server.accept();
@@ -188,8 +182,7 @@ TEST(Tcp, LooksForTheServerFourTimesASecond) {
   EXPECT_TRUE(connects(*tcp, now));
 }
 
-TEST(Tcp, FullIsNoLoss) {
-  Server server;
+TEST_F(TcpTest, FullIsNoLoss) {
   Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();
   server.accept();
@@ -206,7 +199,7 @@ TEST(Tcp, FullIsNoLoss) {
   EXPECT_EQ(server.hear(sent).size(), sent);
 }
 
-TEST(Tcp, SaysWhatToTryWhereNothingLeads) {
+TEST_F(TcpTest, SaysWhatToTryWhereNothingLeads) {
   Opened<Tcp> nowhere = Tcp::open({"255.255.255.255", 1});
   ASSERT_FALSE(nowhere.ok());
   EXPECT_NE(nowhere.problem().find("255.255.255.255:1"), std::string::npos) << nowhere.problem();
@@ -216,8 +209,7 @@ TEST(Tcp, SaysWhatToTryWhereNothingLeads) {
   EXPECT_NE(no_scope.problem().find("check host and port"), std::string::npos) << no_scope.problem();
 }
 
-TEST(Tcp, TellsOfAResetOnWriting) {
-  Server server;
+TEST_F(TcpTest, TellsOfAResetOnWriting) {
   Opened<Tcp> tcp = Tcp::open({"127.0.0.1", server.port()});
   ASSERT_TRUE(tcp) << tcp.problem();
   server.accept();
@@ -229,8 +221,7 @@ TEST(Tcp, TellsOfAResetOnWriting) {
 }
 
 // A listener whose queue is full answers nothing, as a host that is switched off.
-TEST(Tcp, WaitsTwoSecondsOfItsClockForAnAnswer) {
-  Server server;
+TEST_F(TcpTest, WaitsTwoSecondsOfItsClockForAnAnswer) {
   std::vector<Tcp> queue;
   const Time start = Time{} + milliseconds(1000);
   while (queue.size() < 8 && (queue.empty() || queue.back().connected())) {

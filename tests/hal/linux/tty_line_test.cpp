@@ -7,23 +7,19 @@
 #include <linux/tty_flags.h>
 
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
 
 #include "hal/linux/tty.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/fake_ioctl.hpp"
 #include "tests/hal/linux/pty.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::linux {
 namespace {
 
 using test::FakeIoctl;
+using test::holds;
 using testing::AssertionResult;
-
-AssertionResult has(const std::string& text, std::string_view part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << '"' << text << "\" lacks \"" << part << '"';
-}
 
 class TtyLine : public testing::Test {
  protected:
@@ -43,7 +39,7 @@ class TtyLine : public testing::Test {
     return tty ? "none" : tty.problem();
   }
 
-  TestFolder folder;
+  test::Folder folder;
   std::string path = folder.file("ttyRobot");
   FarEnd far{path};
   termios2 told_{};
@@ -78,7 +74,7 @@ TEST_F(TtyLine, RefusesWhatIsNotEightBitsOneStopNoParity) {
   for (const int flags : {CS7, CS8 | PARENB, CS8 | CSTOPB}) {
     const FakeIoctl fake(makes(115'200, static_cast<tcflag_t>(flags)));
     EXPECT_EQ(set_raw_line(-1, 115'200).error, EINVAL) << flags;
-    EXPECT_TRUE(has(problem(), "Invalid argument; unplug it, plug it in again and look at the end of 'dmesg'"));
+    EXPECT_TRUE(holds(problem(), "Invalid argument; unplug it, plug it in again and look at the end of 'dmesg'"));
   }
 }
 
@@ -125,8 +121,8 @@ TEST_F(TtyLine, IsNotForThoseWhoMayNot) {
   const FakeIoctl fake([](unsigned long request, void*) -> std::optional<int> {
     return request == TIOCEXCL ? std::optional(-EPERM) : std::nullopt;
   });
-  EXPECT_TRUE(has(problem(), "cannot open the serial port " + path));
-  EXPECT_TRUE(has(problem(), "sudo usermod -aG dialout $USER"));
+  EXPECT_TRUE(holds(problem(), "cannot open the serial port " + path));
+  EXPECT_TRUE(holds(problem(), "sudo usermod -aG dialout $USER"));
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <sys/file.h>
 #include <sys/ioctl.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <vector>
 
 #include "hal/linux/clock.hpp"
 #include "hal/linux/wait.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/pty.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -20,11 +21,9 @@ namespace {
 using base::Error;
 using base::milliseconds;
 using base::Time;
+using test::holds;
+using test::octets;
 using testing::AssertionResult;
-
-std::span<const std::uint8_t> octets(std::string_view text) {
-  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
-}
 
 bool wake(const Tty& tty) {
   const MonotonicClock clock;
@@ -40,14 +39,9 @@ std::string read_all(Tty& tty) {
   return text;
 }
 
-AssertionResult has(const std::string& text, std::string_view part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << '"' << text << "\" lacks \"" << part << '"';
-}
-
 class TtyTest : public testing::Test {
  protected:
-  TestFolder folder;
+  test::Folder folder;
   std::string path = folder.file("ttyRobot");
   FarEnd far{path};
 };
@@ -137,8 +131,8 @@ TEST_F(TtyTest, IsForOneProgramAlone) {
     EXPECT_EQ(exclusive, 1);
     Opened<Tty> second = Tty::open({path});
     ASSERT_FALSE(second);
-    EXPECT_TRUE(has(second.problem(), path));
-    EXPECT_TRUE(has(second.problem(), "another program has it"));
+    EXPECT_TRUE(holds(second.problem(), path));
+    EXPECT_TRUE(holds(second.problem(), "another program has it"));
   }
   Opened<Tty> third = Tty::open({path});
   EXPECT_TRUE(third) << third.problem();
@@ -184,7 +178,7 @@ TEST_F(TtyTest, ComesBackWithItsPathAndLooksForItFourTimesASecond) {
   const Time start = Time{} + milliseconds(5000);
   tty->tend(start);
   EXPECT_FALSE(tty->connected());
-  EXPECT_TRUE(has(tty->problem(), path));
+  EXPECT_TRUE(holds(tty->problem(), path));
   far.plug();
   tty->tend(start + milliseconds(249));
   EXPECT_FALSE(tty->connected()) << "looked for it too often";
@@ -211,24 +205,24 @@ TEST_F(TtyTest, SurvivesBeingMoved) {
 }
 
 TEST(TtyProblem, NamesThePathAndWhatToTry) {
-  const TestFolder folder;
+  const test::Folder folder;
   const std::string missing = folder.file("ttyUSB7");
   Opened<Tty> tty = Tty::open({missing});
   ASSERT_FALSE(tty);
-  EXPECT_TRUE(has(tty.problem(), "cannot open the serial port " + missing));
-  EXPECT_TRUE(has(tty.problem(), "No such file"));
-  EXPECT_TRUE(has(tty.problem(), "plug it in"));
+  EXPECT_TRUE(holds(tty.problem(), "cannot open the serial port " + missing));
+  EXPECT_TRUE(holds(tty.problem(), "No such file"));
+  EXPECT_TRUE(holds(tty.problem(), "plug it in"));
 }
 
 TEST(TtyProblem, TellsAFileFromAPort) {
-  const TestFolder folder;
+  const test::Folder folder;
   const std::string file = folder.file("a.log");
   std::ofstream(file) << "text";
   for (const std::string& path : {file, folder.file("")}) {
     Opened<Tty> tty = Tty::open({path});
     ASSERT_FALSE(tty) << path;
-    EXPECT_TRUE(has(tty.problem(), path));
-    EXPECT_TRUE(has(tty.problem(), "name a device"));
+    EXPECT_TRUE(holds(tty.problem(), path));
+    EXPECT_TRUE(holds(tty.problem(), "name a device"));
   }
 }
 

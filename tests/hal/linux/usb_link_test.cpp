@@ -13,6 +13,7 @@
 #include "hal/linux/retry.hpp"
 #include "hal/linux/usb_device.hpp"
 #include "tests/hal/linux/fake_libusb.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -20,6 +21,7 @@ namespace {
 using base::Error;
 using base::Time;
 using test::fake_libusb;
+using test::holds;
 using Octets = std::vector<std::uint8_t>;
 
 constexpr int kReads = 4;  // in flight while nothing is wrong
@@ -63,11 +65,6 @@ std::vector<Octets> heard() {
 std::size_t left_to_say() {
   const std::lock_guard lock(fake_libusb().mutex);
   return fake_libusb().reads.size();
-}
-
-testing::AssertionResult has(const std::string& text, std::string_view part) {
-  if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << '"' << text << "\" lacks \"" << part << '"';
 }
 
 std::string problem_of(const UsbSettings& settings = quick()) {
@@ -281,8 +278,8 @@ TEST_F(UsbLink, WithoutNewsOfPluggingTendFindsIt) {
   ASSERT_TRUE(soon([&] { return !link->connected(); }));
   link->tend(later());
   ASSERT_TRUE(soon([&] { return !link->problem().empty(); }));
-  EXPECT_TRUE(has(link->problem(), "cannot open the USB device 0694:0002"));
-  EXPECT_TRUE(has(link->problem(), "plug it in"));
+  EXPECT_TRUE(holds(link->problem(), "cannot open the USB device 0694:0002"));
+  EXPECT_TRUE(holds(link->problem(), "plug it in"));
   fake_libusb().unplugged = false;
   EXPECT_TRUE(comes_back(*link));
   EXPECT_EQ(link->problem(), "");
@@ -314,7 +311,7 @@ TEST_F(UsbLink, WhatTheKernelKeepsIsLeftToItAndTheLinkComesBack) {
 
 TEST_F(UsbLink, WithoutLibusbItTriesAgain) {
   fake_libusb().init_error = LIBUSB_ERROR_OTHER;
-  EXPECT_TRUE(has(problem_of(), "cannot start libusb"));
+  EXPECT_TRUE(holds(problem_of(), "cannot start libusb"));
   fake_libusb().init_error = 0;
   Opened<UsbPacketLink> link = UsbPacketLink::open(quick());
   ASSERT_TRUE(link) << link.problem();
@@ -323,30 +320,30 @@ TEST_F(UsbLink, WithoutLibusbItTriesAgain) {
   ASSERT_TRUE(soon([&] { return !link->connected(); }));
   link->tend(later());
   ASSERT_TRUE(soon([&] { return !link->problem().empty(); }));
-  EXPECT_TRUE(has(link->problem(), "/dev/bus/usb exists"));
+  EXPECT_TRUE(holds(link->problem(), "/dev/bus/usb exists"));
   fake_libusb().init_error = 0;
   EXPECT_TRUE(comes_back(*link));
 }
 
 TEST_F(UsbLink, SaysWhyItCannotBeOpenedAndWhatToTry) {
   fake_libusb().list_error = LIBUSB_ERROR_NO_MEM;
-  EXPECT_TRUE(has(problem_of(), "unplug it, plug it in again"));
+  EXPECT_TRUE(holds(problem_of(), "unplug it, plug it in again"));
   fake_libusb().list_error = 0;
   fake_libusb().open_error = LIBUSB_ERROR_ACCESS;
-  EXPECT_TRUE(has(problem_of(), "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0694\", MODE=\"0666\""));
+  EXPECT_TRUE(holds(problem_of(), "SUBSYSTEM==\"usb\", ATTR{idVendor}==\"0694\", MODE=\"0666\""));
   fake_libusb().open_error = 0;
   fake_libusb().claim_error = LIBUSB_ERROR_BUSY;
-  EXPECT_TRUE(has(problem_of(), "another program has it"));
+  EXPECT_TRUE(holds(problem_of(), "another program has it"));
   fake_libusb().claim_error = 0;
   fake_libusb().configuration_error = LIBUSB_ERROR_IO;
-  EXPECT_TRUE(has(problem_of(), "unplug it, plug it in again"));
+  EXPECT_TRUE(holds(problem_of(), "unplug it, plug it in again"));
   fake_libusb().configuration_error = 0;
   fake_libusb().packet = 0;
-  EXPECT_TRUE(has(problem_of(), "it lacks the expected endpoints"));
+  EXPECT_TRUE(holds(problem_of(), "it lacks the expected endpoints"));
   fake_libusb().packet = 64;
   UsbSettings other = quick();
   other.product = 3;
-  EXPECT_TRUE(has(problem_of(other), "cannot open the USB device 0694:0003: "));
+  EXPECT_TRUE(holds(problem_of(other), "cannot open the USB device 0694:0003: "));
   EXPECT_EQ(problem_of(), "none");
 }
 
@@ -356,7 +353,7 @@ TEST_F(UsbLink, IsTheDeviceOfTheSerialNumber) {
   EXPECT_EQ(problem_of(settings), "none");
   for (const char* other : {"0016530A1B2", "0016530A1B2D"}) {
     settings.serial = other;
-    EXPECT_TRUE(has(problem_of(settings), "with serial number " + settings.serial));
+    EXPECT_TRUE(holds(problem_of(settings), "with serial number " + settings.serial));
   }
 }
 
@@ -375,7 +372,7 @@ TEST_F(UsbLink, ALinkOfBytesSaysTheSame) {
   fake_libusb().open_error = LIBUSB_ERROR_BUSY;
   const Opened<UsbByteLink> link = UsbByteLink::open(quick());
   ASSERT_FALSE(link);
-  EXPECT_TRUE(has(link.problem(), "another program has it"));
+  EXPECT_TRUE(holds(link.problem(), "another program has it"));
 }
 
 }  // namespace

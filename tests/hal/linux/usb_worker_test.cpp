@@ -11,7 +11,6 @@
 namespace fencepost::linux {
 namespace {
 
-using base::Error;
 using test::fake_libusb;
 
 UsbSettings impatient() {

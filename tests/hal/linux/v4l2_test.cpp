@@ -10,10 +10,9 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <vector>
 
+#include "tests/folder.hpp"
 #include "tests/hal/linux/fake_ioctl.hpp"
-#include "tests/hal/linux/pty.hpp"
 
 namespace fencepost::linux {
 namespace {
@@ -115,7 +114,7 @@ class V4l2Ioctl : public testing::Test {
   }
 
  private:
-  TestFolder folder_;
+  test::Folder folder_;
 
  public:
   Camera camera;

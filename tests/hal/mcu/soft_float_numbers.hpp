@@ -1,8 +1,6 @@
 // Test values for float arithmetic, on the desk and on a board without a library.
 #pragma once
 
-#include <cstdint>
-
 #include "hal/mcu/soft_float/float32.hpp"
 
 namespace fencepost::test {

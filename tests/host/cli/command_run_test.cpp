@@ -8,27 +8,19 @@
 #include "host/live/write_behind.hpp"
 #include "tests/host/cli/fake_robot.hpp"
 #include "tests/host/cli/process.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host::testing {
 namespace {
 
-std::string digest_in(const std::string& text) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex("digest ([0-9a-f]{16})")) ? match[1].str() : "no digest in " + text;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++found;
-  return found;
-}
+using test::count;
 
 constexpr const char* kRobot =
     R"({"camera": {"mount": {"z": 0.12}}, "signatures": [{"id": 1, "name": "red", "rgb": "d02020"}]})";
 
-class CommandRun : public ::testing::Test {
+class CommandRunAlone : public ::testing::Test {
  protected:
-  CommandRun() { spill(folder.path() / "robot.json", kRobot); }
+  CommandRunAlone() { spill(folder.path() / "robot.json", kRobot); }
 
   [[nodiscard]] std::vector<std::string> on_devices(std::vector<std::string> more = {}) const {
     std::vector<std::string> arguments = {
@@ -52,9 +44,14 @@ class CommandRun : public ::testing::Test {
   Folder folder;
 };
 
+/// With both devices there.
+class CommandRun : public CommandRunAlone {
+ protected:
+  FakePixy camera{file("camera")};
+  FakeCreate wheels{file("wheels")};
+};
+
 TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "text", "--frames", "160"}));
   EXPECT_EQ(run.wait(), 0) << run.err();
   const std::string log_text = log();
@@ -74,8 +71,6 @@ TEST_F(CommandRun, TheLogsReplayHasTheRunsDigest) {
 
 // tests/host/web/view_test.mjs looks at it in a browser, tests/host/view asks it strange things.
 TEST_F(CommandRun, IsShownInBrowsersOfThisMachine) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--view", "--log", "run.log", "--mode", "text", "--frames", "120"}));
   ASSERT_TRUE(run.says("the run is shown at http://127.0.0.1:")) << run.err();
   std::smatch port;
@@ -87,7 +82,7 @@ TEST_F(CommandRun, IsShownInBrowsersOfThisMachine) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
-TEST_F(CommandRun, ViewTakesAPortOrNone) {
+TEST_F(CommandRunAlone, ViewTakesAPortOrNone) {
   for (const char* port : {"0", "65536", "-1", "80x", "localhost"}) {
     const Outcome run = shell(folder, "fencepost run --camera console --odometry console --view=" + std::string(port));
     EXPECT_EQ(run.exit_code, 2) << port << run.err;
@@ -96,7 +91,7 @@ TEST_F(CommandRun, ViewTakesAPortOrNone) {
 }
 
 // With a log of its own, the stream would only be there twice.
-TEST_F(CommandRun, WithALogTheConsoleIsForPeople) {
+TEST_F(CommandRunAlone, WithALogTheConsoleIsForPeople) {
   const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");
   EXPECT_NE(shell(folder, command).out.find("$FPODO,"), std::string::npos);
   const Outcome run = shell(folder, command + " --log run.log");
@@ -105,8 +100,6 @@ TEST_F(CommandRun, WithALogTheConsoleIsForPeople) {
 }
 
 TEST_F(CommandRun, WithoutATerminalTheConsoleIsTheLog) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--frames", "60"}));
   EXPECT_EQ(run.wait(), 0) << run.err();
   EXPECT_EQ(count(run.out(), "$FPFRM,"), 60U);
@@ -114,8 +107,6 @@ TEST_F(CommandRun, WithoutATerminalTheConsoleIsTheLog) {
 }
 
 TEST_F(CommandRun, TheConsoleObeysWhileItLogs) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet"}));
   ASSERT_TRUE(logs("$FPFRM,", 60)) << run.err();
   EXPECT_TRUE(eventually([&] {
@@ -137,7 +128,7 @@ TEST_F(CommandRun, TheConsoleObeysWhileItLogs) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
-TEST_F(CommandRun, ARunStoppedByASignalReplays) {
+TEST_F(CommandRunAlone, ARunStoppedByASignalReplays) {
   const std::pair<int, int> kSignals[] = {{SIGINT, 130}, {SIGTERM, 0}, {SIGHUP, 130}};
   for (const auto& [number, code] : kSignals) {
     FakePixy camera(file("camera"));
@@ -154,8 +145,6 @@ TEST_F(CommandRun, ARunStoppedByASignalReplays) {
 }
 
 TEST_F(CommandRun, SurvivesACameraThatIsUnpluggedAndComesBack) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "text"}));
   ASSERT_TRUE(logs("$FPFRM,", 20)) << run.err();
   camera.device().unplug();
@@ -175,8 +164,6 @@ TEST_F(CommandRun, SurvivesACameraThatIsUnpluggedAndComesBack) {
 }
 
 TEST_F(CommandRun, SurvivesWheelsThatAreUnpluggedAndComeBack) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "text"}));
   ASSERT_TRUE(logs("$FPFRM,", 60)) << run.err();
   wheels.device().unplug();
@@ -190,7 +177,7 @@ TEST_F(CommandRun, SurvivesWheelsThatAreUnpluggedAndComeBack) {
   expect_replays("run.log", digest_in(run.err()));
 }
 
-TEST_F(CommandRun, ADeviceThatIsNotThereIsAnErrorThatSaysWhatToDo) {
+TEST_F(CommandRunAlone, ADeviceThatIsNotThereIsAnErrorThatSaysWhatToDo) {
   FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices());
   EXPECT_EQ(run.wait(), 4);
@@ -199,7 +186,7 @@ TEST_F(CommandRun, ADeviceThatIsNotThereIsAnErrorThatSaysWhatToDo) {
   EXPECT_TRUE(run.out().empty());
 }
 
-TEST_F(CommandRun, WaitsForADeviceIfAsked) {
+TEST_F(CommandRunAlone, WaitsForADeviceIfAsked) {
   FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--wait", "--frames", "30", "--log", "run.log"}));
   ASSERT_TRUE(run.says("camera pixy2 at " + file("camera") + " is absent")) << run.err();
@@ -210,8 +197,6 @@ TEST_F(CommandRun, WaitsForADeviceIfAsked) {
 }
 
 TEST_F(CommandRun, PartsOfALogAreOneRunAndEachIsARecording) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--log-size", "8K", "--frames", "200"}));
   EXPECT_EQ(run.wait(), 0) << run.err();
   ASSERT_TRUE(std::filesystem::exists(folder.path() / "run-0003.log"));
@@ -228,7 +213,7 @@ TEST_F(CommandRun, PartsOfALogAreOneRunAndEachIsARecording) {
   expect_replays("run.log run-*.log", digest_in(run.err()));
 }
 
-TEST_F(CommandRun, NeverOverwritesALogUnlessTold) {
+TEST_F(CommandRunAlone, NeverOverwritesALogUnlessTold) {
   spill(folder.path() / "run.log", "precious");
   const std::string command = "fencepost run --camera console --odometry console --log run.log < /dev/null";
   EXPECT_TRUE(ends(shell(folder, command), 4, "run.log: there is one"));
@@ -237,7 +222,7 @@ TEST_F(CommandRun, NeverOverwritesALogUnlessTold) {
   EXPECT_NE(log(), "precious");
 }
 
-TEST_F(CommandRun, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
+TEST_F(CommandRunAlone, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
   const Outcome full =
       shell(folder, "fencepost run --camera console --odometry console --mode text --log /dev/full < " +
                         recording("approach_stop.log"));
@@ -248,7 +233,7 @@ TEST_F(CommandRun, ALogThatCannotBeWrittenDoesNotStopTheRobot) {
   EXPECT_TRUE(holds(full.out, "STOP  "));
 }
 
-TEST_F(CommandRun, ALogPlayedIntoTheConsoleGivesItsDigest) {
+TEST_F(CommandRunAlone, ALogPlayedIntoTheConsoleGivesItsDigest) {
   const Outcome replay = shell(folder, "fencepost replay " + recording("approach_stop.log"));
   const std::string digest = digest_in(replay.out);
   for (const char* profile : {"full", "small", "micro"}) {
@@ -263,8 +248,6 @@ TEST_F(CommandRun, ALogPlayedIntoTheConsoleGivesItsDigest) {
 }
 
 TEST_F(CommandRun, AConsoleOnAPtyIsTypedAt) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--console", "pty", "--log", "run.log"}));
   ASSERT_TRUE(run.says("console at /dev/pts/")) << run.err();
   std::smatch match;
@@ -288,8 +271,6 @@ TEST_F(CommandRun, AConsoleOnAPtyIsTypedAt) {
 
 // Whether anybody reads its words or not, a robot goes on; what nobody got is said.
 TEST_F(CommandRun, AReaderThatLeavesDoesNotEndTheRun) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   const Outcome run = shell(folder,
                             "{ fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot robot.json "
                             "--mode log --frames 60; echo $? > code; } | head -n 3");
@@ -302,8 +283,6 @@ TEST_F(CommandRun, AReaderThatLeavesDoesNotEndTheRun) {
 }
 
 TEST_F(CommandRun, WithALogNobodyNeedsToRead) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   const Outcome run = shell(folder,
                             "{ fencepost run --camera pixy2:./camera --odometry create2:./wheels --robot robot.json "
                             "--mode log --log run.log --frames 60; echo $? > code; } | head -n 3");
@@ -313,7 +292,7 @@ TEST_F(CommandRun, WithALogNobodyNeedsToRead) {
 }
 
 // The disk is played by a limit on file size. What it took is the log's beginning, to the byte.
-TEST_F(CommandRun, AFullDiskBehindStandardOutputIsCountedAndEndsNothing) {
+TEST_F(CommandRunAlone, AFullDiskBehindStandardOutputIsCountedAndEndsNothing) {
   const std::string command = "fencepost run --camera console --odometry console < " + recording("approach_stop.log");
   const Outcome all = shell(folder, command + " > all.log");
   EXPECT_EQ(all.exit_code, 0) << all.err;
@@ -362,8 +341,6 @@ class SlowDisk {
 };
 
 TEST_F(CommandRun, ADiskThatStandsStillCostsTheLoopNothing) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   SlowDisk disk(file("slow"));
   Process run(folder, on_devices({"--log", "slow", "--mode", "log"}));
   ASSERT_TRUE(run.says("the disk of the log slow has taken nothing for 2 s")) << run.err();
@@ -379,8 +356,6 @@ TEST_F(CommandRun, ADiskThatStandsStillCostsTheLoopNothing) {
 
 // The loop ends in time; the disk is then waited for, which is said.
 TEST_F(CommandRun, ASlowDiskDoesNotLengthenTheRun) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   SlowDisk disk(file("slow"));
   Process run(folder, on_devices({"--log", "slow", "--mode", "quiet", "--seconds", "2"}));
   ASSERT_TRUE(run.says("the disk of the log slow has taken nothing for 2 s")) << run.err();
@@ -391,7 +366,7 @@ TEST_F(CommandRun, ASlowDiskDoesNotLengthenTheRun) {
 }
 
 // It has time: more than the queue holds waits for the disk, and nothing of it is refused.
-TEST_F(CommandRun, ARecordedStreamWaitsForTheDisk) {
+TEST_F(CommandRunAlone, ARecordedStreamWaitsForTheDisk) {
   constexpr int kSamples = 40'000;
   std::string stream;
   for (int i = 1; i <= kSamples; ++i) {
@@ -413,8 +388,6 @@ TEST_F(CommandRun, ARecordedStreamWaitsForTheDisk) {
 
 // Blind until the first frame is used, then clear, notice and what follows; and blind again when nobody looks any more.
 TEST_F(CommandRun, RunsACommandAtEachChangeOfTheLevel) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet", "--on-alert",
                                   "echo $1 $FENCEPOST_ID $FENCEPOST_COLOUR >> levels; echo shown"}));
   ASSERT_TRUE(eventually([&] { return slurp(folder.path() / "levels").find("notice ") != std::string::npos; }));
@@ -428,8 +401,6 @@ TEST_F(CommandRun, RunsACommandAtEachChangeOfTheLevel) {
 }
 
 TEST_F(CommandRun, ACommandThatHangsOrFailsCostsTheLoopNothing) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--mode", "quiet", "--on-alert",
                                   "echo $1 >> levels; if [ $1 = clear ]; then sleep 100; else exit 7; fi"}));
   ASSERT_TRUE(run.says("the command for level blind ended with exit code 7")) << run.err();
@@ -445,7 +416,7 @@ TEST_F(CommandRun, ACommandThatHangsOrFailsCostsTheLoopNothing) {
 }
 
 /// A Create that `run` drives straight at the post, and a camera that sees the way it comes.
-class CommandRunDriving : public CommandRun {
+class CommandRunDriving : public CommandRunAlone {
  protected:
   [[nodiscard]] Process start() const {
     return Process(
@@ -498,8 +469,6 @@ TEST_F(CommandRunDriving, StandsWhileTheCameraIsAwayAndAtTheEnd) {
 }
 
 TEST_F(CommandRun, DrivesNothingUnlessAskedTo) {
-  FakePixy camera(file("camera"));
-  FakeCreate wheels(file("wheels"));
   Process run(folder, on_devices({"--log", "run.log", "--frames", "60"}));
   EXPECT_EQ(run.wait(), 0) << run.err();
   EXPECT_EQ(wheels.mode(), 1) << "passive";
@@ -508,7 +477,7 @@ TEST_F(CommandRun, DrivesNothingUnlessAskedTo) {
 
 #ifdef FENCEPOST_FAKE_GPIOD
 /// The program's libgpiod is the test's: its levels are lines of the file `levels`, "SECONDS LEVEL".
-class CommandRunWithALine : public CommandRun {
+class CommandRunWithALine : public CommandRunAlone {
  protected:
   [[nodiscard]] Process start() const {
     ::setenv("LD_PRELOAD", (FENCEPOST_FAKE_GPIOD ":" + before).c_str(), 1);
@@ -581,7 +550,6 @@ TEST_F(CommandRunWithALine, FallsWhileTheProgramIsHeldUp) {
 #endif
 
 TEST_F(CommandRun, NeedsNoStandardStreams) {
-  FakeCreate wheels(file("wheels"));
   const Outcome run = shell(folder,
                             "fencepost run --camera console --odometry create2:./wheels --seconds 0.5 --log run.log "
                             "<&- >&- 2>&-");
@@ -590,12 +558,11 @@ TEST_F(CommandRun, NeedsNoStandardStreams) {
 }
 
 TEST_F(CommandRun, StopsAfterSomeSeconds) {
-  FakeCreate wheels(file("wheels"));
   EXPECT_TRUE(ends(shell(folder, "fencepost run --camera console --odometry create2:./wheels --seconds 0.5"), 0,
                    " s: 0 frames, "));
 }
 
-TEST_F(CommandRun, SaysWhatIsWrongWithItsArguments) {
+TEST_F(CommandRunAlone, SaysWhatIsWrongWithItsArguments) {
   const std::pair<std::string, std::string> kWrong[] = {
       {"--camera pixi2:/dev/x --odometry console", "did you mean pixy2?"},
       {"--camera console --odometry pixy2:/dev/x", "pixy2 is for --camera"},

@@ -1,9 +1,6 @@
 // A Pixy2 and a Create 2 on pseudo-terminals, driving towards a post, each in a thread of its own.
 #pragma once
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>

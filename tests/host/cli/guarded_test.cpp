@@ -60,7 +60,6 @@ TEST(Guarded, ARefusalOfTheSystemIsOfADevice) {
 
 using host::testing::anybody_can_run;
 using host::testing::as_anybody;
-using host::testing::Folder;
 using host::testing::Outcome;
 using host::testing::recording;
 using host::testing::shell;

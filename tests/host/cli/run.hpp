@@ -7,36 +7,22 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <regex>
 #include <string>
 
+#include "tests/folder.hpp"
+#include "tests/text.hpp"
+
 namespace fencepost::host::testing {
+
+using test::Folder;
+using test::holds;
 
 struct Outcome {
   int exit_code = -1;
   std::string out;
   std::string err;
-};
-
-/// A new folder, removed with this.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "fencepost-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// The folder of the running test, which is removed before the next one's.
@@ -51,18 +37,8 @@ inline const Folder& test_folder() {
 inline const std::filesystem::path& folder() { return test_folder().path(); }
 
 /// A file by its path, or by its name in the test's folder.
-inline std::string slurp(const std::filesystem::path& path) {
-  std::ifstream file(folder() / path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-inline void spill(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream(folder() / path, std::ios::binary) << text;
-}
-
-/// Whether `part` is in `text`, which a failure shows.
-inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
-  return ::testing::AssertionResult(text.find(part) != std::string::npos) << text;
-}
+inline std::string slurp(const std::filesystem::path& path) { return test::contents(folder() / path); }
+inline void spill(const std::filesystem::path& path, const std::string& text) { test::spill(folder() / path, text); }
 
 /// Whether it ended with this code, and said this on standard error, which a failure shows.
 inline ::testing::AssertionResult ends(const Outcome& run, int exit_code, const std::string& says) {
@@ -72,8 +48,8 @@ inline ::testing::AssertionResult ends(const Outcome& run, int exit_code, const 
 /// A shell line in `folder`; `fencepost` in it is the built program.
 inline Outcome shell(const Folder& folder, const std::string& line) {
   const Folder capture;
-  const std::string out = (capture.path() / "out").string();
-  const std::string err = (capture.path() / "err").string();
+  const std::string out = capture.file("out");
+  const std::string err = capture.file("err");
   const std::string script = "cd '" + folder.path().string() + "'; fencepost() { '" FENCEPOST_EXE "' \"$@\"; }; { " +
                              line + "\n} >'" + out + "' 2>'" + err + "' </dev/null";
   const int status = std::system(script.c_str());
@@ -90,6 +66,11 @@ inline std::string as_anybody() {
 
 /// Whether such a line can run: a tree that only root may enter holds a program that nobody else can start.
 inline bool anybody_can_run() { return shell(as_anybody() + "fencepost --version").exit_code == 0; }
+
+inline std::string digest_in(const std::string& text) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex("digest ([0-9a-f]{16})")) ? match[1].str() : "no digest in " + text;
+}
 
 /// A bundled recording or scene, quoted for the shell.
 inline std::string recording(const std::string& file) {

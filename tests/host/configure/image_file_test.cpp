@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <ctime>
 #include <string>
 
 namespace fencepost::host {

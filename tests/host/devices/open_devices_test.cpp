@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/devices/catalogue.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/pty.hpp"
 
 namespace fencepost::devices {
@@ -167,7 +168,7 @@ TEST(OpenDevices, TheRobotsNumbersLieOverTheCamerasProfile) {
 }
 
 TEST(OpenDevices, APortThatComesIsOpened) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   auto opened = open("xbc:" + folder.file("xbc"), "console", true);
   CameraDevice& camera = *std::get<Devices>(opened).camera;
   camera.tend(Time{});

@@ -5,12 +5,11 @@
 
 #include "host/doctor/ports/access.hpp"
 #include "host/doctor/ports/holders.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 
 namespace fencepost::host {
 namespace {
 
-using doctor::Identity;
 using doctor::Node;
 using doctor::UsbDevice;
 
@@ -42,7 +41,7 @@ TEST(DoctorAccess, NamesTheFixForThisSystem) {
 }
 
 TEST(DoctorHolders, AreFoundByWhatTheyHaveOpen) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   doctor::Roots roots;
   roots.proc = folder.file("proc");
   const std::string port = folder.file("ttyUSB0");

@@ -8,6 +8,7 @@
 #include "hal/linux/clock.hpp"
 #include "host/devices/device_spec.hpp"
 #include "host/doctor/ports/probe.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/pty.hpp"
 #include "tests/host/doctor/fake_pixy2.hpp"
 
@@ -28,7 +29,7 @@ class DoctorDevice : public ::testing::Test {
     return findings.empty() ? Finding() : findings.front();
   }
 
-  linux::TestFolder folder;
+  test::Folder folder;
   std::string port = folder.file("port");
 };
 

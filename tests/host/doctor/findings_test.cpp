@@ -15,6 +15,7 @@
 #include "tests/firmware/level_pixy2.hpp"
 #include "tests/firmware/recon/post_world.hpp"
 #include "tests/firmware/record/lines.hpp"
+#include "tests/folder.hpp"
 #include "tests/hal/linux/pty.hpp"
 #include "tests/host/cli/run.hpp"
 #include "tests/host/doctor/drive.hpp"
@@ -80,19 +81,19 @@ Findings link(const std::string& state) {
 }
 
 Findings of_port(FakePixy2::Mood mood, std::uint32_t baud = 0) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const FakePixy2 pixy(folder.file("port"), mood, baud);
   return examined("pixy2:" + folder.file("port"));
 }
 
 Findings of_whatever_is_there() {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const FakePixy2 pixy(folder.file("port"), FakePixy2::Mood::kSeesOne);
   return doctor::examine_port(folder.file("port"), {}, doctor::Identity::own(), testing::kQuick, [] { return false; });
 }
 
 Findings of_empty_port(const std::function<Findings(const std::string&)>& look) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const linux::FarEnd far(folder.file("port"));
   return look(folder.file("port"));
 }
@@ -110,7 +111,7 @@ Findings forbidden(const std::string& port) {
 }
 
 Findings no_terminal() {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   std::ofstream(folder.file("text")) << "no port\n";
   return examined("pixy2:" + folder.file("text"));
 }

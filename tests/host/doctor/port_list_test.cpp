@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "host/doctor/ports/usb_guess.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -39,7 +39,7 @@ class DoctorPorts : public ::testing::Test {
     put(device / "devnum", "12\n");
   }
 
-  linux::TestFolder folder;
+  test::Folder folder;
   doctor::Roots roots;
 };
 

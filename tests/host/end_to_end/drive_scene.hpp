@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -73,11 +72,6 @@ inline double bound_of(const Thing& thing, const sensor::CameraIntrinsics& camer
   const double row = kPixels * distance * distance / foot;
   const double column = kPixels * distance / camera.fx.to_double();
   return std::hypot(row, column) + thing.half + odometry * thing.x;
-}
-
-inline std::string digest_in(const std::string& text) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex("digest ([0-9a-f]{16})")) ? match[1].str() : "no digest in " + text;
 }
 
 /// The log agrees with its replay, which has the run's digest.

@@ -3,13 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <iterator>
 #include <sstream>
 
 #include "host/evaluate/evaluation_json.hpp"
 #include "host/evaluate/evaluation_text.hpp"
-#include "host/evaluate/matching.hpp"
 #include "host/scene/load.hpp"
 #include "tests/host/contents.hpp"
 #include "tests/host/evaluate/shapes.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "host/geometry/rings.hpp"
 #include "tests/host/evaluate/shapes.hpp"

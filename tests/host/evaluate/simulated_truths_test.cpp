@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "host/evaluate/evaluate.hpp"
 #include "host/scene/load.hpp"
 #include "host/simulate/simulate.hpp"

@@ -5,43 +5,32 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "host/import/import.hpp"
+#include "tests/folder.hpp"
 #include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 
 class Files {
  public:
-  Files() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("fencepost_import_") + info->test_suite_name() + "_" + info->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~Files() { std::filesystem::remove_all(folder_); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-
   /// Writes a file and returns its path.
   std::string put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
+    test::spill(folder_.file(name), text);
+    return folder_.file(name);
   }
   /// As `gzip NAME` does: only NAME.gz is left. Returns its path.
   [[nodiscard]] std::string pack(const std::string& name) const {
-    const std::string path = (folder_ / name).string();
+    const std::string path = folder_.file(name);
     EXPECT_EQ(std::system(("gzip -f '" + path + "'").c_str()), 0);
     return path + ".gz";
   }
-  void remove(const std::string& name) const { std::filesystem::remove(folder_ / name); }
-  [[nodiscard]] std::string folder() const { return folder_.string(); }
+  void remove(const std::string& name) const { std::filesystem::remove(folder_.file(name)); }
+  [[nodiscard]] std::string folder() const { return folder_.path().string(); }
 
  private:
-  std::filesystem::path folder_;
+  test::Folder folder_;
 };
 
 inline Recorded recorded(const ImportResult& result) {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include <cmath>
 #include <numbers>
 
 #include "host/geometry/planar.hpp"
@@ -29,10 +28,9 @@ void put_recording(const Files& files) {
 class ImportMrclam : public testing::Test {
  protected:
   ImportMrclam() { put_recording(files); }
-  [[nodiscard]] ImportResult imported(const MrclamOptions& options = {}) const {
-    return import_mrclam(files.folder(), options);
-  }
+  [[nodiscard]] ImportResult imported() const { return import_mrclam(files.folder(), options); }
   const Files files;
+  MrclamOptions options;
 };
 
 TEST_F(ImportMrclam, TurnsRowsIntoTangentBoxes) {
@@ -80,9 +78,8 @@ TEST_F(ImportMrclam, TakesEachFilePackedOrNot) {
 }
 
 TEST_F(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
-  MrclamOptions options;
   options.poses = PoseSource::kOdometry;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   // From the truth at the first velocity (0, 0, 0): a quarter circle of radius 2/pi in 1 s. Then 2 s straight up at
   // 0.5 m/s.
   ASSERT_EQ(log.odometry.size(), 3U);
@@ -96,11 +93,10 @@ TEST_F(ImportMrclam, VelocitiesAreIntegratedByExactArcs) {
 }
 
 TEST_F(ImportMrclam, AWindowStartsAtZeroFromTheTruePose) {
-  MrclamOptions options;
   options.poses = PoseSource::kOdometry;
   options.from = 1.1;
   options.to = 1.25;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   ASSERT_EQ(log.frames.size(), 1U);
   EXPECT_EQ(log.frames[0].t.raw, 1'000);
   EXPECT_EQ(log.odometry[0].t.raw, 0);
@@ -108,22 +104,20 @@ TEST_F(ImportMrclam, AWindowStartsAtZeroFromTheTruePose) {
   EXPECT_EQ(log.odometry[0].heading.raw, 7'500);
   EXPECT_GT(log.odometry.back().t, log.frames[0].t) << "one sample past the end";
   options.poses = PoseSource::kTruth;
-  const Recorded truth = recorded(imported(options));
+  const Recorded truth = recorded(imported());
   EXPECT_EQ(truth.frames.size(), 1U);
 }
 
 TEST_F(ImportMrclam, OtherRobotsOnRequest) {
-  MrclamOptions options;
   options.include_robots = true;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   EXPECT_EQ(log.frames[0].blobs.size(), 3U);
   EXPECT_EQ(log.signatures.size(), 4U);
 }
 
 TEST_F(ImportMrclam, RobotsAlikeAreOneSignature) {
-  MrclamOptions options;
   options.include_robots = options.robots_alike = true;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   ASSERT_EQ(log.signatures.size(), 3U);
   EXPECT_EQ(log.signatures[0].name.view(), "robot");
   ASSERT_EQ(log.frames[0].blobs.size(), 3U);
@@ -132,9 +126,8 @@ TEST_F(ImportMrclam, RobotsAlikeAreOneSignature) {
 }
 
 TEST_F(ImportMrclam, RangesBecomeGroundRowsOnRequest) {
-  MrclamOptions options;
   options.rows = true;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   EXPECT_EQ(log.cameras[0].mount.z.raw, 3'000);
   ASSERT_TRUE(log.cameras[0].mount.pitch.has_value());
   // The nearest point in depth: 2 cos(0.1) - 0.06 = 1.93001 m; 3599.5 + 8100 * 0.3 / 1.93001 - 0.5 = 4858.06.
@@ -142,11 +135,10 @@ TEST_F(ImportMrclam, RangesBecomeGroundRowsOnRequest) {
 }
 
 TEST_F(ImportMrclam, WithoutTruePosesOdometryStartsAtZero) {
-  std::filesystem::remove(files.folder() + "/Robot2_Groundtruth.dat");
-  MrclamOptions options;
-  EXPECT_FALSE(imported(options).ok());
+  files.remove("Robot2_Groundtruth.dat");
+  EXPECT_FALSE(imported().ok());
   options.poses = PoseSource::kOdometry;
-  const Recorded log = recorded(imported(options));
+  const Recorded log = recorded(imported());
   EXPECT_EQ(log.odometry[0].t.raw, 0) << "the earliest time is that of the odometry now";
   EXPECT_EQ(log.odometry[0].x.raw, 0);
   EXPECT_NEAR(log.odometry[1].x.to_double(), 2 / kPi, 1e-4);
@@ -162,9 +154,8 @@ TEST_F(ImportMrclam, BarcodesBeyond255FallBackToSubjects) {
 }
 
 TEST_F(ImportMrclam, TruthIsAReadableSceneOfCircles) {
-  MrclamOptions options;
   options.diameter = 0.1;
-  const ImportResult result = imported(options);
+  const ImportResult result = imported();
   ASSERT_TRUE(result->truth.has_value());
   const LoadedScene scene = parse_scene(write_scene(*result->truth), "truth");
   ASSERT_TRUE(scene.ok()) << scene.error().message();
@@ -197,9 +188,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(ImportMrclam, RefusesMissingFilesAndBadOptions) {
   const auto error_of = [&](auto change) {
-    MrclamOptions options;
+    options = {};
     change(options);
-    const ImportResult result = imported(options);
+    const ImportResult result = imported();
     return result.ok() ? std::string("accepted") : result.error().where;
   };
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.diameter = 0; }), "--diameter");
@@ -207,6 +198,7 @@ TEST_F(ImportMrclam, RefusesMissingFilesAndBadOptions) {
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.to = 0; }), "--to");
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.from = 500; }), "the window");
   EXPECT_EQ(error_of([](MrclamOptions& o) { o.robot = 4; }), files.folder());
+  options = {};
   files.remove("Barcodes.dat");
   EXPECT_EQ(imported().error().where, files.folder() + "/Barcodes.dat");
   files.remove("Robot2_Measurement.dat");

@@ -48,8 +48,11 @@ std::string circle_views(int views) {
   return text;
 }
 
-TEST(ImportRings, ACircleComesBackFromTheLog) {
+struct ImportRings : testing::Test {
   const Files files;
+};
+
+TEST_F(ImportRings, ACircleComesBackFromTheLog) {
   const ImportResult result = import_rings(files.put("bearings.csv", circle_views(60)));
   const Recorded log = recorded(result);
   ASSERT_EQ(log.frames.size(), 60U);
@@ -65,8 +68,7 @@ TEST(ImportRings, ACircleComesBackFromTheLog) {
   for (const Point p : region) EXPECT_NEAR(std::hypot(p.x, p.y), 0.05003, 0.00025);
 }
 
-TEST(ImportRings, ReadsWhatGzipPackedAndRefusesWhatWasCutOff) {
-  const Files files;
+TEST_F(ImportRings, ReadsWhatGzipPackedAndRefusesWhatWasCutOff) {
   const ImportResult plain = import_rings(files.put("bearings.csv", circle_views(60)));
   const std::string path = files.pack("bearings.csv");
   const ImportResult packed = import_rings(path);
@@ -79,16 +81,14 @@ TEST(ImportRings, ReadsWhatGzipPackedAndRefusesWhatWasCutOff) {
       << cut.error().message();
 }
 
-TEST(ImportRings, PixelsCostLessThanTenMicrometres) {
-  const Files files;
+TEST_F(ImportRings, PixelsCostLessThanTenMicrometres) {
   const ImportResult result = import_rings(files.put("bearings.csv", circle_views(4)));
   ASSERT_TRUE(result.ok());
   const Recorded log = read_back(result->log);
   EXPECT_LE(0.63 / log.cameras[0].fx.to_double() / 2, 10e-6);
 }
 
-TEST(ImportRings, RoundingOfHeadingsCostsNothing) {
-  const Files files;
+TEST_F(ImportRings, RoundingOfHeadingsCostsNothing) {
   const Recorded log =
       recorded(import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.10004,-0.05,0.06,0,0,0\n")));
   EXPECT_EQ(log.odometry[0].heading.raw, 31'000) << "0.04 mrad are rounded away";
@@ -98,8 +98,7 @@ TEST(ImportRings, RoundingOfHeadingsCostsNothing) {
   EXPECT_NEAR(log.odometry[0].heading.to_double() + left, 3.10004 + 0.06, 17e-6);
 }
 
-TEST(ImportRings, BorderEndsAreCensoredAndExcludedViewsSkipped) {
-  const Files files;
+TEST_F(ImportRings, BorderEndsAreCensoredAndExcludedViewsSkipped) {
   const ImportResult result =
       import_rings(files.put("b.csv", std::string(kHeader) + "0,1,0,3.1415927,-0.05,0.06,1,0,0\r\n"
                                                              "1,0,1,-1.5707963,-0.05,0.06,0,1,0\r\n"
@@ -146,15 +145,13 @@ INSTANTIATE_TEST_SUITE_P(Rows, BadRings,
                                          BadRow{"1,1,0,3.1,-0.05,0.06,2,0,0", "neither 0 nor 1"},
                                          BadRow{"1.5,1,0,3.1,-0.05,0.06,1,0,0", "whole number"}));
 
-TEST(ImportRings, ReadsWhatASpreadsheetHasSaved) {
-  const Files files;
+TEST_F(ImportRings, ReadsWhatASpreadsheetHasSaved) {
   const ImportResult result = import_rings(files.put("b.csv", "\xEF\xBB\xBF" + circle_views(8)));
   ASSERT_TRUE(result.ok()) << result.error().message();
   EXPECT_EQ(result->summary.frames, 8U);
 }
 
-TEST(ImportRings, RefusesOtherFiles) {
-  const Files files;
+TEST_F(ImportRings, RefusesOtherFiles) {
   EXPECT_NE(import_rings(files.folder() + "/none.csv").error().what.find("cannot be read"), std::string::npos);
   EXPECT_NE(import_rings(files.put("empty.csv", "")).error().what.find("empty"), std::string::npos);
   EXPECT_NE(import_rings(files.put("head.csv", kHeader)).error().what.find("no rows"), std::string::npos);
@@ -165,7 +162,7 @@ TEST(ImportRings, RefusesOtherFiles) {
   EXPECT_NE(import_rings(far).error().what.find("range"), std::string::npos);
 }
 
-TEST(ImportRings, TheMiddleburyRingGivesTheKnownBox) {
+TEST_F(ImportRings, TheMiddleburyRingGivesTheKnownBox) {
   const std::string path = std::string(FENCEPOST_SHARED_DIR) + "/data/rings/dinoSparseRing/bearings.csv";
   if (!std::filesystem::exists(path)) {
     std::cerr << "\n*** SKIPPED: no Middlebury ring data beside the checkout; nothing was compared ***\n";

@@ -33,10 +33,7 @@ inline std::uint64_t skipped(const ImportResult& result, const std::string& what
 
 inline void expect_box(const sensor::Blob& blob, int signature, int x1, int y1, int x2, int y2) {
   EXPECT_EQ(blob.signature, signature);
-  EXPECT_EQ(blob.x1, x1);
-  EXPECT_EQ(blob.y1, y1);
-  EXPECT_EQ(blob.x2, x2);
-  EXPECT_EQ(blob.y2, y2);
+  expect_box(blob, x1, y1, x2, y2);
 }
 
 }  // namespace fencepost::host

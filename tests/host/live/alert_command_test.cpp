@@ -7,10 +7,9 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
-#include <iterator>
 #include <thread>
 
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 #include "tests/host/contents.hpp"
 
 namespace fencepost::host {
@@ -42,7 +41,7 @@ class AlertCommandTest : public ::testing::Test {
     ASSERT_TRUE(std::filesystem::exists(path(name)));
   }
 
-  linux::TestFolder folder;
+  test::Folder folder;
 };
 
 TEST_F(AlertCommandTest, GetsTheStateAsArgumentAndEnvironment) {

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "host/live/open_port.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -15,10 +16,7 @@ namespace {
 using base::Error;
 using base::milliseconds;
 using base::Time;
-
-std::span<const std::uint8_t> octets(std::string_view text) {
-  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
-}
+using test::octets;
 
 TEST(ConsoleSpec, ReadsEveryPlace) {
   EXPECT_EQ(parse_console("-")->kind, ConsoleSpec::Kind::kTerminal);
@@ -198,7 +196,7 @@ TEST(TerminalConsole, AFullDeviceIsSaid) {
 
 // The disk of a file may take its time; the loop does not.
 TEST(TerminalConsole, AFileIsWrittenByAThread) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const std::string path = folder.file("out");
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   TerminalConsole console(-1, file);
@@ -214,7 +212,7 @@ TEST(TerminalConsole, AFileIsWrittenByAThread) {
 }
 
 TEST(TerminalConsole, AFileThatCannotBeWrittenIsSaidAndCounted) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const std::string path = folder.file("out");
   const int file = ::open(path.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0600);
   TerminalConsole console(-1, file);

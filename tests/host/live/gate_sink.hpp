@@ -1,8 +1,6 @@
 // A disk that stands still until the test lets it go on.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <condition_variable>
 #include <memory>
 #include <mutex>

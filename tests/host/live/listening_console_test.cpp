@@ -10,9 +10,12 @@
 #include <string>
 
 #include "host/live/open_port.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host {
 namespace {
+
+using test::octets;
 
 /// Somebody who connects.
 class Person {
@@ -46,10 +49,6 @@ class Person {
   linux::Descriptor fd_;
   bool connected_ = false;
 };
-
-std::span<const std::uint8_t> octets(std::string_view text) {
-  return {static_cast<const std::uint8_t*>(static_cast<const void*>(text.data())), text.size()};
-}
 
 std::string typed_into(ListeningConsole& console) {
   std::array<std::uint8_t, 256> buffer{};

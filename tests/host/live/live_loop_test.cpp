@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/text.hpp"
+
 namespace fencepost::host {
 namespace {
+
+using test::count;
 
 /// A sample at each poll, as a driver stamps it.
 class Wheels final : public OdometryDevice {
@@ -29,12 +33,6 @@ class Deaf final : public ConsolePort {
   [[nodiscard]] std::string problem() const override { return {}; }
   [[nodiscard]] int descriptor() const override { return -1; }
 };
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 // t of a record ends at 999,999 s.
 TEST(LiveLoop, BeginsANewRunBeforeTheStreamsClockEnds) {

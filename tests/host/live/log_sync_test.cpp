@@ -1,5 +1,4 @@
 // When the log is brought to the disk. This program replaces fdatasync by one that counts, and fails on demand.
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>

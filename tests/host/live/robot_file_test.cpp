@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 
 #include "drivers/pixy2/camera.hpp"
 #include "tests/host/contents.hpp"

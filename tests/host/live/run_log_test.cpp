@@ -83,7 +83,7 @@ TEST_F(RunLogTest, PortionsOfLinesGiveTheSameParts) {
     if (i % 7 == 0) text += "$FPCFG,alert.stop,0." + std::to_string(i) + "*0000\r\n";
   }
   const auto parts_of = [&](std::size_t lines_at_once) {
-    const linux::TestFolder own;
+    const test::Folder own;
     std::string all;
     {
       RunLog log = opened({own.file("x.log"), false, 200, {}, "small"});

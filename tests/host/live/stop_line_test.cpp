@@ -1,7 +1,6 @@
 // The line that holds the motors, with a line of the test's own in a real process.
 #include "host/live/stop_line.hpp"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mman.h>

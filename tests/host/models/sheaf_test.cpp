@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <memory>
 #include <random>
-#include <type_traits>
 #include <vector>
 
 #include "firmware/config/profile.hpp"

@@ -1,8 +1,6 @@
 // Figures of models of which nothing is left.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "host/paper/figure.hpp"
 #include "tests/host/paper/worlds.hpp"
 

@@ -20,21 +20,22 @@ record::StatusReport status(std::uint32_t frames, std::uint32_t records_dropped)
   return status;
 }
 
-TEST(Losses, CountsFramesPassedOver) {
+struct LossesTest : testing::Test {
   Losses losses;
+};
+
+TEST_F(LossesTest, CountsFramesPassedOver) {
   for (const std::uint32_t number : {5U, 6U, 9U, 10U, 12U}) losses.accept(frame(number));
   EXPECT_EQ(losses.frames_missing(), 3U);  // 7, 8, 11
 }
 
-TEST(Losses, ACameraThatCountsAnewHasNoGap) {
-  Losses losses;
+TEST_F(LossesTest, ACameraThatCountsAnewHasNoGap) {
   for (const std::uint32_t number : {100U, 0U, 1U, 3U}) losses.accept(frame(number));
   EXPECT_EQ(losses.frames_missing(), 1U);
 }
 
 // A damaged or hostile stream makes up names without end.
-TEST(Losses, KeepsTheFirstDevicesOnly) {
-  Losses losses;
+TEST_F(LossesTest, KeepsTheFirstDevicesOnly) {
   for (int i = 0; i < 10'000; ++i) {
     record::LinkReport link;
     link.device = sensor::Text("dev" + std::to_string(i));
@@ -48,16 +49,14 @@ TEST(Losses, KeepsTheFirstDevicesOnly) {
   EXPECT_EQ(losses.links().at("dev0").state, sensor::LinkState::kSilent) << "those go on";
 }
 
-TEST(Losses, ANewRunHasNoGap) {
-  Losses losses;
+TEST_F(LossesTest, ANewRunHasNoGap) {
   losses.accept(frame(5));
   losses.accept(record::Header{});
   losses.accept(frame(500));
   EXPECT_EQ(losses.frames_missing(), 0U);
 }
 
-TEST(Losses, WhatWasLostBeforeTheRecordingDoesNotCount) {
-  Losses losses;
+TEST_F(LossesTest, WhatWasLostBeforeTheRecordingDoesNotCount) {
   losses.accept(status(100, 7));
   EXPECT_EQ(losses.reported(), ReportedLosses{});
   record::StatusReport later = status(150, 9);
@@ -68,8 +67,7 @@ TEST(Losses, WhatWasLostBeforeTheRecordingDoesNotCount) {
   EXPECT_EQ(losses.reported(), (ReportedLosses{2, 1, 4, 3}));
 }
 
-TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
-  Losses losses;
+TEST_F(LossesTest, ARobotThatBootsAgainCountsFromZero) {
   losses.accept(status(100, 7));
   losses.accept(status(10, 5));
   losses.accept(status(60, 6));
@@ -77,8 +75,7 @@ TEST(Losses, ARobotThatBootsAgainCountsFromZero) {
 }
 
 // `reset` restarts the clock, the counters continue.
-TEST(Losses, ANewRunIsNoBoot) {
-  Losses losses;
+TEST_F(LossesTest, ANewRunIsNoBoot) {
   record::StatusReport first = status(100, 7);
   first.t = {100'000};
   losses.accept(first);
@@ -86,8 +83,7 @@ TEST(Losses, ANewRunIsNoBoot) {
   EXPECT_EQ(losses.reported(), ReportedLosses{});
 }
 
-TEST(Losses, ALinkHasTheStateLastTold) {
-  Losses losses;
+TEST_F(LossesTest, ALinkHasTheStateLastTold) {
   record::LinkReport link;
   link.state = sensor::LinkState::kSilent;
   losses.accept(link);

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "host/simulate/optics.hpp"
 #include "host/simulate/render.hpp"
 #include "tests/host/render/blocks.hpp"

@@ -1,7 +1,6 @@
 // Watching a replay: every frame is shown, and nothing that is found changes.
 #include <gtest/gtest.h>
 
-#include <iterator>
 #include <map>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "host/report/alert_spans.hpp"
 #include "host/report/label_space.hpp"

@@ -4,10 +4,13 @@
 
 #include "tests/host/report/markup_checker.hpp"
 #include "tests/host/report/scenes.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host {
 namespace {
 
+using test::count;
+using test::holds;
 using testing::arc_document;
 using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
@@ -16,17 +19,6 @@ using testing::find_fault;
 using testing::two_object_scene;
 
 std::string arc_report() { return write_report(arc_document(), two_object_scene(), {"run.log", "fencepost 0"}); }
-
-AssertionResult has(const std::string& page, const std::string& part) {
-  if (page.find(part) != std::string::npos) return AssertionSuccess();
-  return AssertionFailure() << "not in the page: " << part;
-}
-
-std::size_t count(const std::string& page, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++n;
-  return n;
-}
 
 // The checker itself must be able to fail.
 TEST(FindFault, FindsFaults) {
@@ -41,8 +33,8 @@ TEST(Report, IsWellFormed) { EXPECT_EQ(find_fault(arc_report()), ""); }
 TEST(Report, AnEmptyRunIsWellFormedToo) {
   const std::string page = write_report({}, std::nullopt, {});
   EXPECT_EQ(find_fault(page), "");
-  EXPECT_TRUE(has(page, "No objects."));
-  EXPECT_TRUE(has(page, "No alerts in this run."));
+  EXPECT_TRUE(holds(page, "No objects."));
+  EXPECT_TRUE(holds(page, "No alerts in this run."));
 }
 
 TEST(Report, GivesTheSameBytesTwice) { EXPECT_EQ(arc_report(), arc_report()); }
@@ -51,8 +43,8 @@ TEST(Report, NeedsNothingFromElsewhere) {
   const std::string page = arc_report();
   for (const char* foreign :
        {"http:", "https:", "src=", "@import", "<link", "<script", "javascript:", "onload=", "onclick="})
-    EXPECT_FALSE(has(page, foreign)) << foreign;
-  EXPECT_TRUE(has(page, "content=\"default-src 'none'; style-src 'unsafe-inline'\""));
+    EXPECT_FALSE(holds(page, foreign)) << foreign;
+  EXPECT_TRUE(holds(page, "content=\"default-src 'none'; style-src 'unsafe-inline'\""));
 }
 
 TEST(Report, NamesAreWholeInItsTables) {
@@ -66,26 +58,26 @@ TEST(Report, NamesAreWholeInItsTables) {
   const std::string page = write_report(d, truth, {});
   for (const char* name : {">alike in their first twenty: one</td>", ">1 alike in their first twenty: one</text>",
                            ">alike in their first twenty: two</td>", ">2 alike in their first twenty: two</text>"}) {
-    EXPECT_TRUE(has(page, name));
+    EXPECT_TRUE(holds(page, name));
   }
-  EXPECT_TRUE(has(page, "<td class=\"name\">" + longest + "1</td>"));
-  EXPECT_TRUE(has(page, "<td class=\"name\">" + longest + "2</td>"));
-  EXPECT_TRUE(has(page, "xxx1</text>"));
-  EXPECT_FALSE(has(page, longest + "1</text>"));
+  EXPECT_TRUE(holds(page, "<td class=\"name\">" + longest + "1</td>"));
+  EXPECT_TRUE(holds(page, "<td class=\"name\">" + longest + "2</td>"));
+  EXPECT_TRUE(holds(page, "xxx1</text>"));
+  EXPECT_FALSE(holds(page, longest + "1</text>"));
 }
 
 TEST(Report, ShowsEveryObjectTruthAndModel) {
   const std::string page = arc_report();
   for (const char* part : {">1 red</text>", ">2 blue</text>", ">red box</text>", ">blue post</text>",
                            "hidden &lt;cone&gt;, true footprint", "sig 7", "seen from one place only"}) {
-    EXPECT_TRUE(has(page, part));
+    EXPECT_TRUE(holds(page, part));
   }
   for (const char* model : {"cylinder", "cylinder_paper", "carve", "clip"}) {
     const std::string layer = std::string(model) == "cylinder_paper" ? "cylinder-paper" : model;
-    EXPECT_TRUE(has(page, "<g class=\"layer-" + layer + "\""));
-    EXPECT_TRUE(has(page, "id=\"show-" + layer + "\""));
-    EXPECT_TRUE(has(page, "#show-" + layer + ":not(:checked)~.figure .layer-" + layer));
-    EXPECT_TRUE(has(page, std::string("<title>object 1 red, ") + model + ", confirmed</title>"));
+    EXPECT_TRUE(holds(page, "<g class=\"layer-" + layer + "\""));
+    EXPECT_TRUE(holds(page, "id=\"show-" + layer + "\""));
+    EXPECT_TRUE(holds(page, "#show-" + layer + ":not(:checked)~.figure .layer-" + layer));
+    EXPECT_TRUE(holds(page, std::string("<title>object 1 red, ") + model + ", confirmed</title>"));
   }
 }
 
@@ -94,21 +86,21 @@ TEST(Report, ShowsEveryAlertInTheTableAndTheTimeline) {
   const std::size_t alerts = arc_document().alerts.size();
   EXPECT_EQ(count(page, "<td><span class=\"level "), alerts);
   EXPECT_EQ(count(page, "r=\"3.2\""), alerts);
-  EXPECT_TRUE(has(page, "<details><summary>25 alert records"));  // long: folded
+  EXPECT_TRUE(holds(page, "<details><summary>25 alert records"));  // long: folded
 }
 
 TEST(Report, TellsDigestProfileAndWhatWasLeftOut) {
   const std::string page = arc_report();
   for (const char* part : {"5f3a99c0de77e1a1", "<code>full</code>", "lines rejected: crc", "first in line 12",
                            "frames refused: no_pose"}) {
-    EXPECT_TRUE(has(page, part));
+    EXPECT_TRUE(holds(page, part));
   }
 }
 
 TEST(Report, ComparesOnlyWhereTheTruthIsKnown) {
-  EXPECT_TRUE(has(arc_report(), "Against the truth"));
-  EXPECT_TRUE(has(arc_report(), "True objects that were not found: hidden &lt;cone&gt;."));
-  EXPECT_FALSE(has(write_report(arc_document(), std::nullopt, {}), "Against the truth"));
+  EXPECT_TRUE(holds(arc_report(), "Against the truth"));
+  EXPECT_TRUE(holds(arc_report(), "True objects that were not found: hidden &lt;cone&gt;."));
+  EXPECT_FALSE(holds(write_report(arc_document(), std::nullopt, {}), "Against the truth"));
 }
 
 TEST(Report, TextFromLogsAndScenesIsEscaped) {
@@ -122,25 +114,25 @@ TEST(Report, TextFromLogsAndScenesIsEscaped) {
   const std::string page = write_report(d, truth, {"<img onerror=x>", "<i>"});
   EXPECT_EQ(find_fault(page), "");
   EXPECT_EQ(count(page, "<script"), 0U);
-  EXPECT_FALSE(has(page, "<img"));
-  EXPECT_FALSE(has(page, "\x01"));
-  EXPECT_FALSE(has(page, "\xff"));
+  EXPECT_FALSE(holds(page, "<img"));
+  EXPECT_FALSE(holds(page, "\x01"));
+  EXPECT_FALSE(holds(page, "\xff"));
 }
 
 TEST(Report, OpenSidesAreDrawnBroken) {
   ResultDocument d = arc_document();
-  EXPECT_FALSE(has(write_report(d, std::nullopt, {}), "<path class=\"open\""));
+  EXPECT_FALSE(holds(write_report(d, std::nullopt, {}), "<path class=\"open\""));
   d.objects[0].models[3].open = {{{1, 0}, {1.1, 0}}};
   const std::string page = write_report(d, std::nullopt, {});
   EXPECT_EQ(find_fault(page), "");
-  EXPECT_TRUE(has(page, "<path class=\"open\""));
-  EXPECT_TRUE(has(page, "<title>object 1: no edge was seen here, it may go on</title>"));
+  EXPECT_TRUE(holds(page, "<path class=\"open\""));
+  EXPECT_TRUE(holds(page, "<title>object 1: no edge was seen here, it may go on</title>"));
 }
 
 TEST(Report, AModelWithoutAStyleOfItsOwnIsDrawn) {
   ResultDocument d = arc_document();
   d.objects[0].models[3].name = "brand_new";
-  EXPECT_TRUE(has(write_report(d, std::nullopt, {}), "<g class=\"layer-brand-new\""));
+  EXPECT_TRUE(holds(write_report(d, std::nullopt, {}), "<g class=\"layer-brand-new\""));
 }
 
 }  // namespace

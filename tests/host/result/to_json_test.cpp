@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "host/result/geojson.hpp"
-#include "host/result/lookup.hpp"
 #include "tests/host/result/documents.hpp"
 
 namespace fencepost::host {

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
 #include "host/segment/segment.hpp"
+#include "tests/folder.hpp"
 #include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
@@ -63,28 +62,17 @@ inline sensor::CameraIntrinsics camera_of(int width, int height) {
 /// Images in a folder that lives as long as a test, taken 0.1 s and 1 cm apart.
 class Pictures {
  public:
-  Pictures() {
-    std::string name = (std::filesystem::temp_directory_path() / "fencepost-pictures-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~Pictures() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  Pictures(const Pictures&) = delete;
-  Pictures& operator=(const Pictures&) = delete;
-
   void add(const cv::Mat& image) {
     const auto i = static_cast<double>(views_.size());
-    const std::string path = (folder_ / ("view" + std::to_string(views_.size()) + ".png")).string();
-    std::ofstream(path, std::ios::binary) << encode_png(image);
+    const std::string path = folder_.file("view" + std::to_string(views_.size()) + ".png");
+    test::spill(path, encode_png(image));
     views_.push_back({path, {0.1 * i, 0.01 * i, 0, 0}});
   }
   [[nodiscard]] const std::vector<View>& views() const { return views_; }
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  std::filesystem::path folder_;
+  test::Folder folder_;
   std::vector<View> views_;
 };
 
@@ -112,13 +100,6 @@ inline std::vector<sensor::Blob> blobs_named(const Recorded& log, const std::str
     }
   }
   return blobs;
-}
-
-inline void expect_box(const sensor::Blob& blob, int x1, int y1, int x2, int y2) {
-  EXPECT_EQ(blob.x1, x1);
-  EXPECT_EQ(blob.y1, y1);
-  EXPECT_EQ(blob.x2, x2);
-  EXPECT_EQ(blob.y2, y2);
 }
 
 inline record::Signature given(std::uint8_t number, const char* name, sensor::Rgb rgb) {

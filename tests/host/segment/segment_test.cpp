@@ -13,8 +13,11 @@ namespace {
 /// Two images of a room with a block, so that colours are in more than one.
 std::vector<cv::Mat> twice(const cv::Mat& image) { return {image, image}; }
 
-TEST(Segment, FindsPaintedBlocksWithTheirExactBoxes) {
+struct Segment : testing::Test {
   cv::Mat image = room();
+};
+
+TEST_F(Segment, FindsPaintedBlocksWithTheirExactBoxes) {
   paint(image, 20, 40, 49, 79, kRed);
   paint(image, 90, 50, 109, 69, kBlue);
   SegmentSummary summary;
@@ -32,8 +35,7 @@ TEST(Segment, FindsPaintedBlocksWithTheirExactBoxes) {
   EXPECT_EQ(summary.signatures[0].images, 2U);
 }
 
-TEST(Segment, ABlocksLitAndShadedSidesAreOne) {
-  cv::Mat image = room();
+TEST_F(Segment, ABlocksLitAndShadedSidesAreOne) {
   paint(image, 20, 40, 39, 79, kRed);
   paint(image, 40, 40, 49, 79, kShadedRed);
   for (const std::vector<record::Signature>& signatures :
@@ -48,8 +50,7 @@ TEST(Segment, ABlocksLitAndShadedSidesAreOne) {
 }
 
 // A round thing shows all shades from light to dark.
-TEST(Segment, ACansShadesAreOneSignature) {
-  cv::Mat image = room();
+TEST_F(Segment, ACansShadesAreOneSignature) {
   for (int u = 40; u <= 79; ++u) {
     const double light = 0.25 + 0.75 * (79 - u) / 39.0;
     const auto lit = [&](int channel) { return static_cast<std::uint8_t>(light * channel); };
@@ -61,8 +62,7 @@ TEST(Segment, ACansShadesAreOneSignature) {
   expect_box(log.frames[0].blobs[0], 40, 40, 79, 79);
 }
 
-TEST(Segment, RedOnBothSidesOfTheHueSeamIsOne) {
-  cv::Mat image = room();
+TEST_F(Segment, RedOnBothSidesOfTheHueSeamIsOne) {
   paint(image, 20, 40, 39, 79, {200, 30, 41});  // hue 356
   paint(image, 40, 40, 59, 79, {200, 41, 30});  // hue 4
   const Recorded log = segmented(twice(image));
@@ -70,8 +70,7 @@ TEST(Segment, RedOnBothSidesOfTheHueSeamIsOne) {
   expect_box(log.frames[0].blobs[0], 20, 40, 59, 79);
 }
 
-TEST(Segment, AShadowOnTheFloorIsNoObject) {
-  cv::Mat image = room();
+TEST_F(Segment, AShadowOnTheFloorIsNoObject) {
   paint(image, 20, 40, 49, 79, kRed);
   paint(image, 50, 70, 89, 85, {100, 92, 82});   // the wood in half the light
   paint(image, 100, 20, 130, 50, {95, 94, 90});  // and the wall
@@ -80,7 +79,7 @@ TEST(Segment, AShadowOnTheFloorIsNoObject) {
   expect_box(log.frames[0].blobs[0], 20, 40, 49, 79);
 }
 
-TEST(Segment, GreyThingsAreFoundBeforeColouredWallsAndMayBeGivenBeforeGreyOnes) {
+TEST_F(Segment, GreyThingsAreFoundBeforeColouredWallsAndMayBeGivenBeforeGreyOnes) {
   cv::Mat coloured = canvas(160, 120, {90, 140, 190});
   paint(coloured, 60, 40, 99, 89, kGrey);
   ASSERT_EQ(blobs_named(segmented(twice(coloured)), "grey").size(), 1U);
@@ -93,9 +92,9 @@ TEST(Segment, GreyThingsAreFoundBeforeColouredWallsAndMayBeGivenBeforeGreyOnes) 
   expect_box(log.frames[0].blobs[0], 60, 40, 99, 89);
 }
 
-TEST(Segment, TheBackgroundMayBeGiven) {
+TEST_F(Segment, TheBackgroundMayBeGiven) {
   // Red takes most of the image: found, it would be the background.
-  cv::Mat image = canvas(160, 120, kRed);
+  image = canvas(160, 120, kRed);
   paint(image, 60, 40, 99, 89, kBlue);
   EXPECT_EQ(blobs_named(segmented(twice(image)), "red").size(), 0U);
   SegmentOptions options;
@@ -106,8 +105,8 @@ TEST(Segment, TheBackgroundMayBeGiven) {
   expect_box(blobs_named(log, "red")[0], 0, 0, 159, 119);
 }
 
-TEST(Segment, ASilhouetteIsAllThatIsNotBlack) {
-  cv::Mat image = canvas(160, 120, {12, 10, 10});
+TEST_F(Segment, ASilhouetteIsAllThatIsNotBlack) {
+  image = canvas(160, 120, {12, 10, 10});
   paint(image, 40, 30, 69, 89, {180, 175, 170});
   paint(image, 70, 30, 79, 89, {64, 62, 60});
   paint(image, 80, 50, 99, 69, kRed);
@@ -120,8 +119,7 @@ TEST(Segment, ASilhouetteIsAllThatIsNotBlack) {
   EXPECT_EQ(log.signatures.at(0).name.view(), "silhouette");
 }
 
-TEST(Segment, AThingThatTheImageCutsEndsOnItsBorder) {
-  cv::Mat image = room();
+TEST_F(Segment, AThingThatTheImageCutsEndsOnItsBorder) {
   paint(image, 0, 40, 29, 79, kRed);
   paint(image, 130, 40, 159, 79, kBlue);
   const Recorded log = segmented(twice(image));
@@ -129,8 +127,7 @@ TEST(Segment, AThingThatTheImageCutsEndsOnItsBorder) {
   expect_box(blobs_named(log, "blue").at(0), 130, 40, 159, 79);
 }
 
-TEST(Segment, APostOfTheWallsColourCutsInTwoUnlessThin) {
-  cv::Mat image = room();
+TEST_F(Segment, APostOfTheWallsColourCutsInTwoUnlessThin) {
   paint(image, 20, 40, 79, 79, kRed);
   paint(image, 40, 30, 59, 85, kWall);
   EXPECT_EQ(segmented(twice(image)).frames.at(0).blobs.size(), 2U);
@@ -146,11 +143,11 @@ TEST(Segment, APostOfTheWallsColourCutsInTwoUnlessThin) {
   EXPECT_EQ(summary.merged, 2U);
 }
 
-TEST(Segment, NoiseIsSmoothedAway) {
+TEST_F(Segment, NoiseIsSmoothedAway) {
   std::mt19937 random(3);
   std::vector<cv::Mat> images;
   for (int i = 0; i < 2; ++i) {
-    cv::Mat image = room();
+    image = room();
     paint(image, 20, 40, 49, 79, kRed);
     paint(image, 90, 50, 109, 69, kBlue);
     for (int v = 0; v < image.rows; ++v) {
@@ -170,8 +167,8 @@ TEST(Segment, NoiseIsSmoothedAway) {
   EXPECT_NEAR(red.x2, 49, 1);
 }
 
-TEST(Segment, AFrameHoldsTheSixteenLargest) {
-  cv::Mat image = room(320, 240);
+TEST_F(Segment, AFrameHoldsTheSixteenLargest) {
+  image = room(320, 240);
   for (int i = 0; i < 18; ++i) {  // a pixel wider each
     const int x = 8 + 50 * (i % 6);
     const int y = 20 + 60 * (i / 6);
@@ -185,8 +182,7 @@ TEST(Segment, AFrameHoldsTheSixteenLargest) {
   EXPECT_EQ(log.frames[0].blobs[15].pixels, 18U * 30U);
 }
 
-TEST(Segment, GivenColoursThatAreNowhereAreKeptAndCountedNowhere) {
-  cv::Mat image = room();
+TEST_F(Segment, GivenColoursThatAreNowhereAreKeptAndCountedNowhere) {
   paint(image, 20, 40, 49, 79, kRed);
   SegmentOptions options;
   options.classes.signatures = {given(1, "red", kRed), given(2, "green", kGreen)};
@@ -198,8 +194,7 @@ TEST(Segment, GivenColoursThatAreNowhereAreKeptAndCountedNowhere) {
   EXPECT_EQ(summary.signatures[1].images, 0U);
 }
 
-TEST(Segment, TheLogHasAPoseAtEachExposureAndNoGap) {
-  cv::Mat image = room();
+TEST_F(Segment, TheLogHasAPoseAtEachExposureAndNoGap) {
   paint(image, 20, 40, 49, 79, kRed);
   Pictures pictures;
   pictures.add(image);
@@ -222,15 +217,13 @@ TEST(Segment, TheLogHasAPoseAtEachExposureAndNoGap) {
   EXPECT_EQ(log.headers.at(0).target.view(), "segment");
 }
 
-TEST(Segment, SameImagesSameBytes) {
-  cv::Mat image = room();
+TEST_F(Segment, SameImagesSameBytes) {
   paint(image, 20, 40, 49, 79, kRed);
   paint(image, 90, 50, 109, 69, kBlue);
   EXPECT_EQ(segmented(twice(image)).text, segmented(twice(image)).text);
 }
 
-TEST(Segment, PicturesShowWhatWasFound) {
-  cv::Mat image = room();
+TEST_F(Segment, PicturesShowWhatWasFound) {
   paint(image, 20, 40, 49, 79, kRed);
   Pictures pictures;
   pictures.add(image);
@@ -257,8 +250,7 @@ std::string complaint(const std::vector<View>& views, const sensor::CameraIntrin
   return result.ok() ? "none" : result.error().message();
 }
 
-TEST(Segment, SaysWhichImageHasAnotherSize) {
-  cv::Mat image = room();
+TEST_F(Segment, SaysWhichImageHasAnotherSize) {
   paint(image, 20, 40, 49, 79, kRed);
   Pictures pictures;
   pictures.add(image);
@@ -268,7 +260,7 @@ TEST(Segment, SaysWhichImageHasAnotherSize) {
             std::string::npos);
 }
 
-TEST(Segment, SaysWhenThereIsNothing) {
+TEST_F(Segment, SaysWhenThereIsNothing) {
   Pictures pictures;
   pictures.add(canvas(160, 120, kWall));
   pictures.add(canvas(160, 120, kWall));

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "host/simulate/random.hpp"
 #include "tests/host/simulate/recorded.hpp"

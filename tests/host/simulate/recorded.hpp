@@ -38,6 +38,13 @@ struct Recorded {
   }
 };
 
+inline void expect_box(const sensor::Blob& blob, int x1, int y1, int x2, int y2) {
+  EXPECT_EQ(blob.x1, x1);
+  EXPECT_EQ(blob.y1, y1);
+  EXPECT_EQ(blob.x2, x2);
+  EXPECT_EQ(blob.y2, y2);
+}
+
 inline Recorded read_back(std::string text) {
   Recorded recorded;
   std::array<char, record::StreamReader::kBuffer> buffer{};

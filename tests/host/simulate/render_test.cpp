@@ -2,26 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 
-#include "host/geometry/rings.hpp"
 #include "host/simulate/render.hpp"
 #include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
 
-void expect_box(const sensor::Blob& blob, int x1, int y1, int x2, int y2) {
-  EXPECT_EQ(blob.x1, x1);
-  EXPECT_EQ(blob.y1, y1);
-  EXPECT_EQ(blob.x2, x2);
-  EXPECT_EQ(blob.y2, y2);
-}
-
-TEST(Render, ABoxStraightAhead) {
+struct Render : testing::Test {
+  Render() { scene.path = standing(0, 0, 0); }
   Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+};
+
+TEST_F(Render, ABoxStraightAhead) {
   scene.objects = {box_object(1, 1.0, -0.1, 1.2, 0.1, 0.2)};
   // Front face at 1 m: columns 157.5 -+ 273.6 * 0.1 = 130.14..184.86, so pixel centres 131..184.
   // Rows 103.5 - 273.6 * (0.20 - 0.12) = 81.61 down to 103.5 + 273.6 * 0.12 = 136.33: 82..136.
@@ -35,24 +28,19 @@ TEST(Render, ABoxStraightAhead) {
   EXPECT_EQ(*blob.rgb, (sensor::Rgb{0xd0, 0x20, 0x20}));
 }
 
-TEST(Render, TheLidOfALowBoxIsSeen) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, TheLidOfALowBoxIsSeen) {
   scene.objects = {box_object(1, 1.0, -0.1, 1.2, 0.1, 0.05)};
   // The lid, 0.07 m below the camera, ends at 1.2 m: row 103.5 + 273.6 * 0.07 / 1.2 = 119.46, so 120.
   expect_box(only_blob(scene), 131, 120, 184, 136);
 }
 
-TEST(Render, TheUndersideOfSomethingThatHovers) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, TheUndersideOfSomethingThatHovers) {
   scene.objects = {box_object(1, 1.0, -0.1, 1.2, 0.1, 0.1, 0.2)};
   // Top at the front, (0.30 - 0.12) / 1: 103.5 - 49.25 = 54.25: 55. Underside's far edge, 0.08 / 1.2: 85.26: 85.
   expect_box(only_blob(scene), 131, 55, 184, 85);
 }
 
-TEST(Render, MountOffsetsAndYaw) {
-  Scene scene = empty_scene();
+TEST_F(Render, MountOffsetsAndYaw) {
   scene.camera.mount.x = base::Metres::nearest(0.1);
   scene.camera.mount.y = base::Metres::nearest(0.2);
   scene.camera.mount.yaw = base::Radians::nearest(1.5708);
@@ -62,24 +50,18 @@ TEST(Render, MountOffsetsAndYaw) {
   expect_box(only_blob(scene), 131, 82, 184, 136);
 }
 
-TEST(Render, LeftIsSmallU) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, LeftIsSmallU) {
   scene.objects = {box_object(1, 1.0, 0.1, 1.2, 0.2, 0.2)};
   EXPECT_LT(only_blob(scene).x2, 157);
 }
 
-TEST(Render, NothingBehindOrBesideIsSeen) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, NothingBehindOrBesideIsSeen) {
   scene.objects = {box_object(1, -1.2, -0.1, -1.0, 0.1, 0.2), box_object(1, -0.1, 0.5, 0.1, 0.7, 0.2)};
   const Simulated simulated = run(scene);
   EXPECT_TRUE(simulated.log.frames.at(0).blobs.empty());
 }
 
-TEST(Render, AWallThatReachesBehindTheCameraFillsTheBorder) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, AWallThatReachesBehindTheCameraFillsTheBorder) {
   scene.objects = {box_object(1, -1, 0.3, 2, 0.4, 0.5)};
   const sensor::Blob blob = only_blob(scene);
   EXPECT_EQ(blob.x1, 0);
@@ -87,9 +69,7 @@ TEST(Render, AWallThatReachesBehindTheCameraFillsTheBorder) {
   EXPECT_EQ(blob.x2, 116);
 }
 
-TEST(Render, ANearPostCutsABoxInTwo) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, ANearPostCutsABoxInTwo) {
   scene.objects = {box_object(1, 1.0, -0.1, 1.2, 0.1, 0.2), box_object(2, 0.5, -0.01, 0.52, 0.01, 0.4)};
   const Simulated simulated = run(scene);
   const auto& blobs = simulated.log.frames.at(0).blobs;
@@ -114,9 +94,7 @@ TEST(Render, ANearPostCutsABoxInTwo) {
   }
 }
 
-TEST(Render, ALowNearObjectLeavesTheTopOfATallFarOne) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, ALowNearObjectLeavesTheTopOfATallFarOne) {
   scene.objects = {box_object(1, 1.0, -0.1, 1.2, 0.1, 0.2), box_object(2, 0.5, -0.2, 0.6, 0.2, 0.08)};
   const Simulated simulated = run(scene);
   const auto& blobs = simulated.log.frames.at(0).blobs;
@@ -128,9 +106,7 @@ TEST(Render, ALowNearObjectLeavesTheTopOfATallFarOne) {
   EXPECT_EQ(simulated.truth[0].blobs[index].left, BlobEnd::kEdge);
 }
 
-TEST(Render, LargestFirstAndLimited) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, LargestFirstAndLimited) {
   scene.max_blobs = 2;
   scene.objects = {box_object(1, 1.0, -0.3, 1.2, -0.2, 0.1), box_object(2, 1.0, -0.1, 1.2, 0.1, 0.2),
                    box_object(3, 1.0, 0.2, 1.2, 0.35, 0.1)};
@@ -143,18 +119,14 @@ TEST(Render, LargestFirstAndLimited) {
   EXPECT_EQ(simulated.summary.blobs, 2U);
 }
 
-TEST(Render, AnObjectBetweenTwoPixelCentresIsNotSeen) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, AnObjectBetweenTwoPixelCentresIsNotSeen) {
   // Columns 157 and 158 lie at -+0.5 px; 0.4 px to each side falls in between.
   const double half = 0.4 / 273.6;
   scene.objects = {box_object(1, 1.0, -half, 1.0001, half, 0.2)};
   EXPECT_TRUE(run(scene).log.frames.at(0).blobs.empty());
 }
 
-TEST(Render, SeesThroughAHoleFromAbove) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, SeesThroughAHoleFromAbove) {
   scene.camera.mount.z = base::Metres::nearest(1);
   SceneObject frame = box_object(1, 1.0, -0.5, 2.0, 0.5, 0.01);
   frame.footprint.holes.push_back({{1.2, -0.3}, {1.2, 0.3}, {1.8, 0.3}, {1.8, -0.3}});
@@ -165,9 +137,7 @@ TEST(Render, SeesThroughAHoleFromAbove) {
   EXPECT_TRUE(std::any_of(blobs.begin(), blobs.end(), [](const auto& b) { return b.signature == 2; }));
 }
 
-TEST(Render, BorderEndsAreToldInTheTruth) {
-  Scene scene = empty_scene();
-  scene.path = standing(0, 0, 0);
+TEST_F(Render, BorderEndsAreToldInTheTruth) {
   scene.objects = {box_object(1, 1.0, 0.3, 1.2, 1.0, 0.2)};
   const Simulated simulated = run(scene);
   ASSERT_EQ(simulated.truth.at(0).blobs.size(), 1U);
@@ -188,7 +158,7 @@ double seconds_beside(int boxes) {
 }
 
 // Each was compared with each: sixteen times the time for four times the objects.
-TEST(Render, ObjectsOutOfViewCostTheirNumber) {
+TEST_F(Render, ObjectsOutOfViewCostTheirNumber) {
   EXPECT_LT(seconds_beside(8'000), 9 * std::max(seconds_beside(2'000), 0.01));
 }
 

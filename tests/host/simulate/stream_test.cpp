@@ -11,8 +11,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Stream, StartsWithHeaderCameraAndSignatures) {
+struct Stream : testing::Test {
   Scene scene = empty_scene();
+};
+using Paths = Stream;
+
+TEST_F(Stream, StartsWithHeaderCameraAndSignatures) {
   scene.path = standing(0, 0, 0);
   const Simulated simulated = run(scene);
   ASSERT_GE(simulated.log.order.size(), 6U);
@@ -24,8 +28,7 @@ TEST(Stream, StartsWithHeaderCameraAndSignatures) {
   EXPECT_EQ(simulated.log.signatures[1].name.view(), "blue");
 }
 
-TEST(Stream, FramesArriveALatencyAfterTheirExposure) {
-  Scene scene = empty_scene();
+TEST_F(Stream, FramesArriveALatencyAfterTheirExposure) {
   scene.rate = 30;
   scene.camera.latency = base::Duration::nearest(0.0456);
   scene.path = standing(0, 0, 0, 31, 30);
@@ -39,8 +42,7 @@ TEST(Stream, FramesArriveALatencyAfterTheirExposure) {
   EXPECT_EQ(simulated.truth[1].exposure.raw, 333);
 }
 
-TEST(Stream, OdometryIsAt50HzAndReachesPastTheLastFrame) {
-  Scene scene = empty_scene();
+TEST_F(Stream, OdometryIsAt50HzAndReachesPastTheLastFrame) {
   scene.rate = 7;
   scene.camera.latency = base::Duration::nearest(0.1);
   scene.path = standing(0, 0, 0, 8, 7);
@@ -53,8 +55,7 @@ TEST(Stream, OdometryIsAt50HzAndReachesPastTheLastFrame) {
   EXPECT_EQ(simulated.summary.duration, simulated.log.odometry.back().t.to_double());
 }
 
-TEST(Stream, RecordsComeInOrderOfArrivalOdometryFirst) {
-  Scene scene = empty_scene();
+TEST_F(Stream, RecordsComeInOrderOfArrivalOdometryFirst) {
   scene.camera.latency = base::Duration::nearest(0.04);  // exactly on an odometry sample
   scene.path = standing(0, 0, 0, 50);
   const Simulated simulated = run(scene);
@@ -70,8 +71,7 @@ TEST(Stream, RecordsComeInOrderOfArrivalOdometryFirst) {
   EXPECT_EQ(frame, 50U);
 }
 
-TEST(Stream, CalibrationComesAgainEveryTenSeconds) {
-  Scene scene = empty_scene();
+TEST_F(Stream, CalibrationComesAgainEveryTenSeconds) {
   scene.rate = 1;
   scene.path = standing(0, 0, 0, 26, 1);
   const Simulated simulated = run(scene);
@@ -80,8 +80,7 @@ TEST(Stream, CalibrationComesAgainEveryTenSeconds) {
   EXPECT_EQ(simulated.log.headers.size(), 1U);
 }
 
-TEST(Paths, ArcLooksAtItsCentreWhateverTheMount) {
-  Scene scene = empty_scene();
+TEST_F(Paths, ArcLooksAtItsCentreWhateverTheMount) {
   scene.rate = 10;
   scene.camera.mount.yaw = base::Radians::nearest(0.5);
   scene.path = ArcPath{{1, 2}, 1.5, 0, kPi, 5, false};
@@ -98,8 +97,7 @@ TEST(Paths, ArcLooksAtItsCentreWhateverTheMount) {
   EXPECT_NEAR(run(scene).truth[0].pose.heading, -0.5, 1e-12);
 }
 
-TEST(Paths, WaypointsTurnOnTheSpotAndDriveStraight) {
-  Scene scene = empty_scene();
+TEST_F(Paths, WaypointsTurnOnTheSpotAndDriveStraight) {
   scene.rate = 10;
   // 1 m at 0.5 m/s: 2 s. A right angle at pi/4 rad/s: 2 s. 0.5 m: 1 s. Together 5 s, frames 0..50.
   scene.path = WaypointPath{{{0, 0}, {1, 0}, {1, 0.5}}, 0.5, kPi / 4};
@@ -114,8 +112,7 @@ TEST(Paths, WaypointsTurnOnTheSpotAndDriveStraight) {
   EXPECT_NEAR(pose_at(50).y, 0.5, 1e-12);
 }
 
-TEST(Paths, WaypointsTurnTheShortWay) {
-  Scene scene = empty_scene();
+TEST_F(Paths, WaypointsTurnTheShortWay) {
   scene.rate = 10;
   scene.path = WaypointPath{{{0, 0}, {-1, 0.1}, {-2, -0.1}}, 1, 1};  // headings +3.04 and -2.94: 0.30 apart
   const Simulated simulated = run(scene);
@@ -127,8 +124,7 @@ TEST(Paths, WaypointsTurnTheShortWay) {
   }
 }
 
-TEST(Paths, PosesAreInterpolatedTheShortWay) {
-  Scene scene = empty_scene();
+TEST_F(Paths, PosesAreInterpolatedTheShortWay) {
   scene.rate = 4;
   scene.path = PosesPath{{{0, 0, 0, 3.0}, {1, 1, 2, -3.0}}};
   const Simulated simulated = run(scene);
@@ -138,14 +134,12 @@ TEST(Paths, PosesAreInterpolatedTheShortWay) {
   EXPECT_NEAR(simulated.truth[2].pose.heading, kPi, 1e-12);  // half way between 3 and 2 pi - 3
 }
 
-TEST(Paths, OneViewIsEnough) {
-  Scene scene = empty_scene();
+TEST_F(Paths, OneViewIsEnough) {
   scene.path = ArcPath{{0, 0}, 1, 0.5, 3, 1, false};
   EXPECT_EQ(run(scene).log.frames.size(), 1U);
 }
 
-TEST(Paths, ThroughAnObjectIsNoticed) {
-  Scene scene = empty_scene();
+TEST_F(Paths, ThroughAnObjectIsNoticed) {
   scene.rate = 10;
   scene.objects = {box_object(1, 0.45, -0.1, 0.55, 0.1, 0.2)};
   scene.path = WaypointPath{{{0, 0}, {1, 0}}, 1, 1};

@@ -1,17 +1,12 @@
 // Films and pictures as files of a test.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <vector>
 
 #include "host/video/picture_file.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 
 namespace fencepost::host::testing {
-
-inline void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 inline RgbPicture plain(int width, int height, sensor::Rgb rgb) {
   return {width, height, std::vector<sensor::Rgb>(static_cast<std::size_t>(width * height), rgb)};

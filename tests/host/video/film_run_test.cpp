@@ -131,7 +131,7 @@ struct Tally {
 class FilmRun : public ::testing::TestWithParam<testing::Light (*)(double)> {
  protected:
   FilmRun() {
-    testing::write(path_, studio_.film(kPictures));
+    test::spill(path_, studio_.film(kPictures));
     for (int i = 0; i < kPictures; ++i) truth_.push_back(studio_.truth(i / Studio::kRate));
     linux::Opened<RgbPicture> first = read_picture(path_);
     EXPECT_TRUE(first) << path_;
@@ -172,7 +172,7 @@ class FilmRun : public ::testing::TestWithParam<testing::Light (*)(double)> {
     return tally;
   }
 
-  linux::TestFolder folder_;
+  test::Folder folder_;
   std::string path_ = folder_.file("film.y4m");
   Studio studio_{GetParam()};
   Truth truth_;

@@ -11,21 +11,20 @@ namespace {
 using base::Error;
 using base::milliseconds;
 using base::Time;
-using testing::paint;
 using testing::plain;
 
 class FilmFile : public ::testing::Test {
  protected:
   std::string file(const std::string& name, const std::string& bytes) {
     const std::string path = folder_.file(name);
-    testing::write(path, bytes);
+    test::spill(path, bytes);
     return path;
   }
   std::string problem(const std::string& bytes) {
     const linux::Opened<Film> film = Film::open(file("film", bytes));
     return film ? "none" : film.problem();
   }
-  linux::TestFolder folder_;
+  test::Folder folder_;
 };
 
 std::vector<std::uint8_t> bytes_of(const bus::Picture& picture) { return {picture.bytes.begin(), picture.bytes.end()}; }

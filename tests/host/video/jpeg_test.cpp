@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/host/video/files.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host {
 namespace {
 
-std::span<const std::uint8_t> octets(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};  // NOLINT
-}
+using test::octets;
 
 class Jpeg : public ::testing::Test {
  protected:

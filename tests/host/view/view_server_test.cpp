@@ -83,8 +83,11 @@ std::unique_ptr<ViewServer> server_of(std::string page = "<p>page</p>", std::siz
   return std::move(*opened);
 }
 
-TEST(ViewServer, GivesThePage) {
-  const auto server = server_of();
+struct ViewServerTest : testing::Test {
+  std::unique_ptr<ViewServer> server = server_of();
+};
+
+TEST_F(ViewServerTest, GivesThePage) {
   Browser browser(*server);
   browser.ask("/");
   const std::string answer = browser.read();
@@ -94,17 +97,16 @@ TEST(ViewServer, GivesThePage) {
   EXPECT_TRUE(answer.ends_with("\r\n\r\n<p>page</p><end>")) << answer;
 }
 
-TEST(ViewServer, GivesALargePageWhole) {
+TEST_F(ViewServerTest, GivesALargePageWhole) {
   const std::string page(3 << 20, 'p');
-  const auto server = server_of(page);
+  server = server_of(page);
   Browser browser(*server, 4096);
   browser.ask("/");
   const std::string answer = browser.read();
   EXPECT_TRUE(answer.ends_with(page + "<end>"));
 }
 
-TEST(ViewServer, IsOnThisMachineAlone) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, IsOnThisMachineAlone) {
   EXPECT_TRUE(server->address().starts_with("http://127.0.0.1:")) << server->address();
   // Another address of this machine's loopback: a server on all addresses would be there.
   const linux::Descriptor fd(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -112,8 +114,7 @@ TEST(ViewServer, IsOnThisMachineAlone) {
   EXPECT_NE(::connect(fd.get(), static_cast<sockaddr*>(static_cast<void*>(&to)), sizeof to), 0);
 }
 
-TEST(ViewServer, SaysWhenThePortIsTaken) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, SaysWhenThePortIsTaken) {
   const std::string address = server->address();
   const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
   const ViewServer::Opened second = ViewServer::open("", port);
@@ -122,8 +123,7 @@ TEST(ViewServer, SaysWhenThePortIsTaken) {
       << second.problem();
 }
 
-TEST(ViewServer, RefusesBadRequestsAndGoesOn) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, RefusesBadRequestsAndGoesOn) {
   const std::pair<std::string, int> strange[] = {
       {"POST / HTTP/1.1\r\nHost: localhost\r\n\r\n", 405},
       {"GET /secret HTTP/1.1\r\nHost: localhost\r\n\r\n", 404},
@@ -147,8 +147,7 @@ TEST(ViewServer, RefusesBadRequestsAndGoesOn) {
   EXPECT_TRUE(browser.read().ends_with("<p>page</p><end>"));
 }
 
-TEST(ViewServer, TakesARequestInPieces) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, TakesARequestInPieces) {
   Browser browser(*server);
   for (const char c : std::string("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")) {
     browser.say(std::string(1, c));
@@ -157,8 +156,7 @@ TEST(ViewServer, TakesARequestInPieces) {
   EXPECT_TRUE(browser.read().ends_with("<p>page</p><end>"));
 }
 
-TEST(ViewServer, StreamsTheLogFromItsFirstLineToSeveral) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, StreamsTheLogFromItsFirstLineToSeveral) {
   server->add("$FPHDR,1\n");
   Browser first(*server);
   first.ask("/log");
@@ -175,8 +173,8 @@ TEST(ViewServer, StreamsTheLogFromItsFirstLineToSeveral) {
 }
 
 // The loop's side: the cost of adding lines while nobody reads, a slow reader does, or one that has stopped.
-TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
-  const auto server = server_of("", 2 << 20);
+TEST_F(ViewServerTest, ASlowReaderIsLeftBehindAndNobodyWaits) {
+  server = server_of("", 2 << 20);
   Browser slow(*server, 32 << 10);
   slow.ask("/log");
   server->add("$FPHDR,1\n");
@@ -203,8 +201,8 @@ TEST(ViewServer, ASlowReaderIsLeftBehindAndNobodyWaits) {
   EXPECT_EQ(std::ranges::count(whole, '\n'), 1 + 30 * 8001);
 }
 
-TEST(ViewServer, EndsWhileSomebodyDoesNotRead) {
-  const auto server = server_of("", 64 << 20);
+TEST_F(ViewServerTest, EndsWhileSomebodyDoesNotRead) {
+  server = server_of("", 64 << 20);
   Browser stuck(*server, 4096);
   stuck.ask("/log");
   server->add("$FPHDR,1\n");
@@ -219,8 +217,7 @@ TEST(ViewServer, EndsWhileSomebodyDoesNotRead) {
   EXPECT_LT(took, kDeadline);
 }
 
-TEST(ViewServer, OneThatHasGoneIsNotMissed) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, OneThatHasGoneIsNotMissed) {
   for (int i = 0; i < 100; ++i) {  // more than there are places
     Browser browser(*server);
     browser.ask("/log");
@@ -233,8 +230,7 @@ TEST(ViewServer, OneThatHasGoneIsNotMissed) {
   EXPECT_TRUE(browser.read().ends_with("<p>page</p><end>"));
 }
 
-TEST(ViewServer, HasPlacesForSoMany) {
-  const auto server = server_of();
+TEST_F(ViewServerTest, HasPlacesForSoMany) {
   server->add("line\n");
   std::vector<Browser> all;
   for (std::size_t i = 0; i < ViewServer::kMaxVisitors; ++i) {

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "host/replay/replay.hpp"
-#include "host/result/to_json.hpp"
 #include "host/scene/load.hpp"
+#include "tests/text.hpp"
 
 namespace fencepost::host {
 namespace {
+
+using test::count;
 
 Scene room(const std::string& objects, const std::string& more = "") {
   const auto scene = parse_scene(R"({"format": 1, "seed": 3,
@@ -26,12 +28,6 @@ Scene room(const std::string& objects, const std::string& more = "") {
 // Its near side is 1.2 m ahead of the robot's origin.
 constexpr const char* kBox = R"({"name": "box", "signature": 1, "height": 0.14, "footprint": {"type": "Polygon",
   "coordinates": [[[1.2, -0.15], [1.4, -0.15], [1.4, 0.15], [1.2, 0.15], [1.2, -0.15]]]}})";
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 nlohmann::json truth(const Drive& drive) { return nlohmann::json::parse(drive.truth()); }
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "host/live/robot_file.hpp"
 #include "host/replay/replay.hpp"
@@ -63,8 +62,11 @@ std::optional<double> first_stop(const ResultDocument& result) {
   return std::nullopt;
 }
 
-TEST(Webcam, FindsTheBoxOfWhatWasClickedOnAndNothingBefore) {
+struct WebcamTest : testing::Test {
   Watched watched;
+};
+
+TEST_F(WebcamTest, FindsTheBoxOfWhatWasClickedOnAndNothingBefore) {
   watched.clear();
   watched.paint({100, 60, 139, 119}, kOrange);
   watched.paint({200, 80, 229, 109}, kBlue);
@@ -84,8 +86,7 @@ TEST(Webcam, FindsTheBoxOfWhatWasClickedOnAndNothingBefore) {
   EXPECT_EQ(watched.boxes().size(), 2U);
 }
 
-TEST(Webcam, TrainsAColourThatItHasAnewAndRefusesWhatIsNone) {
-  Watched watched;
+TEST_F(WebcamTest, TrainsAColourThatItHasAnewAndRefusesWhatIsNone) {
   watched.clear();
   watched.paint({100, 60, 139, 119}, kOrange);
   watched.paint({0, 0, 40, 40}, {6, 4, 2});
@@ -102,8 +103,7 @@ TEST(Webcam, TrainsAColourThatItHasAnewAndRefusesWhatIsNone) {
   EXPECT_TRUE(watched.train(121, 90).at("patchy").get<bool>()) << "half of it is black";
 }
 
-TEST(Webcam, HasAsManyColoursAsASegmenterAndNoMore) {
-  Watched watched;
+TEST_F(WebcamTest, HasAsManyColoursAsASegmenterAndNoMore) {
   watched.clear();
   const auto shade = [](int i) {
     const double turn = 2 * 3.14159 * i / 17;
@@ -116,8 +116,7 @@ TEST(Webcam, HasAsManyColoursAsASegmenterAndNoMore) {
   EXPECT_EQ(watched.train(18 * 16 + 7, 110).at("refused"), "full");
 }
 
-TEST(Webcam, WritesColoursThatRunTakes) {
-  Watched watched;
+TEST_F(WebcamTest, WritesColoursThatRunTakes) {
   watched.clear();
   watched.paint({100, 60, 139, 119}, kOrange);
   watched.show(0);
@@ -132,8 +131,7 @@ TEST(Webcam, WritesColoursThatRunTakes) {
 }
 
 // 0.2 m across, from 1.5 m on at 0.3 m/s: it would be here 5 s after it begins to come.
-TEST(Webcam, SaysStopBeforeWhatComesIsHereAndItsLogReplays) {
-  Watched watched;
+TEST_F(WebcamTest, SaysStopBeforeWhatComesIsHereAndItsLogReplays) {
   const auto distance = [](double t) { return t < 3 ? 1.5 : 1.5 - 0.3 * (t - 3); };
   for (int i = 0; i < 135; ++i) {
     const double t = i / 20.0;
@@ -153,8 +151,7 @@ TEST(Webcam, SaysStopBeforeWhatComesIsHereAndItsLogReplays) {
   EXPECT_GT(distance(*stop), 0.3) << "half of the robot, and 1 s of its way";
 }
 
-TEST(Webcam, IsSilentOfWhatStands) {
-  Watched watched;
+TEST_F(WebcamTest, IsSilentOfWhatStands) {
   for (int i = 0; i < 100; ++i) {
     watched.clear();
     watched.paint(box_at(0.8), kOrange);
@@ -166,7 +163,7 @@ TEST(Webcam, IsSilentOfWhatStands) {
   EXPECT_FALSE(first_stop(desk.result));
 }
 
-TEST(Webcam, ColoursHaveWords) {
+TEST_F(WebcamTest, ColoursHaveWords) {
   EXPECT_EQ(colour_word({200, 30, 30}), "red");
   EXPECT_EQ(colour_word({200, 30, 45}), "red");
   EXPECT_EQ(colour_word(kOrange), "orange");

@@ -1,7 +1,6 @@
 // One approach through the robot's own loop, and the judgement of its alerts.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

@@ -28,9 +28,12 @@ CalibrateOutcome run(const CalibrationDrive& drive, const CalibrateOptions& opti
   return calibrate(drive.log, "drive", options);
 }
 
-// Without noise the only errors are those that the model does not have: corners, whole pixels.
-TEST(Calibrate, FindsWhatWasConfiguredWrong) {
+struct Calibrate : testing::Test {
   DriveOptions options;
+};
+
+// Without noise the only errors are those that the model does not have: corners, whole pixels.
+TEST_F(Calibrate, FindsWhatWasConfiguredWrong) {
   options.seed = 501;
   options.noise = 0;
   options.drift = 0;
@@ -79,8 +82,7 @@ TEST_P(FisheyeCalibrate, FindsWhatWasConfiguredWrong) {
 INSTANTIATE_TEST_SUITE_P(DegreesAcross, FisheyeCalibrate, testing::Values(100, 120, 150));
 
 // The odometry's metre is the unit until a length is known.
-TEST(Calibrate, ADistanceTellsTheWheelsScale) {
-  DriveOptions options;
+TEST_F(Calibrate, ADistanceTellsTheWheelsScale) {
   options.seed = 502;
   options.noise = 0.3;
   CalibrationDrive drive = calibration_drive(options);
@@ -108,7 +110,7 @@ TEST(Calibrate, ADistanceTellsTheWheelsScale) {
       << scale.sigma;  // the middle of a block that is an L is not the middle of what is seen of it
 }
 
-TEST(Calibrate, AColourThatIsNotThereIsAUsageError) {
+TEST_F(Calibrate, AColourThatIsNotThereIsAUsageError) {
   DriveOptions drive;
   drive.seed = 503;
   CalibrateOptions options;
@@ -120,8 +122,7 @@ TEST(Calibrate, AColourThatIsNotThereIsAUsageError) {
 }
 
 // Pitch is: a foot's row changes as its block goes across the image.
-TEST(Calibrate, OnTheSpotYawIsNotObserved) {
-  DriveOptions options;
+TEST_F(Calibrate, OnTheSpotYawIsNotObserved) {
   options.seed = 504;
   options.motion = Motion::kSpin;
   const CalibrateOutcome outcome = run(calibration_drive(options));
@@ -134,8 +135,7 @@ TEST(Calibrate, OnTheSpotYawIsNotObserved) {
   EXPECT_EQ(outcome.calibration->found.mount.yaw, outcome.calibration->configured.mount.yaw);
 }
 
-TEST(Calibrate, StraightOnTheFocalLengthIsNotObserved) {
-  DriveOptions options;
+TEST_F(Calibrate, StraightOnTheFocalLengthIsNotObserved) {
   options.seed = 505;
   options.motion = Motion::kStraight;
   const CalibrateOutcome outcome = run(calibration_drive(options));
@@ -147,8 +147,7 @@ TEST(Calibrate, StraightOnTheFocalLengthIsNotObserved) {
   EXPECT_EQ(outcome.calibration->found.fx, outcome.calibration->configured.fx);
 }
 
-TEST(Calibrate, ARobotThatStandsIsAskedToDrive) {
-  DriveOptions options;
+TEST_F(Calibrate, ARobotThatStandsIsAskedToDrive) {
   options.seed = 506;
   options.motion = Motion::kStanding;
   const CalibrateOutcome outcome = run(calibration_drive(options));
@@ -156,8 +155,7 @@ TEST(Calibrate, ARobotThatStandsIsAskedToDrive) {
   EXPECT_NE(outcome.refusal.find("hardly moves"), std::string::npos) << outcome.refusal;
 }
 
-TEST(Calibrate, OneBlockIsNotEnough) {
-  DriveOptions options;
+TEST_F(Calibrate, OneBlockIsNotEnough) {
   options.seed = 507;
   options.blocks = 1;
   const CalibrateOutcome outcome = run(calibration_drive(options));
@@ -188,8 +186,7 @@ TEST(ReadDrive, ABlobThatIsCutOffTellsNoRows) {
   EXPECT_GT(whole, 200U);
 }
 
-TEST(Calibrate, SameBytesSameResult) {
-  DriveOptions options;
+TEST_F(Calibrate, SameBytesSameResult) {
   options.seed = 508;
   const CalibrationDrive drive = calibration_drive(options);
   const CalibrateOutcome a = run(drive);

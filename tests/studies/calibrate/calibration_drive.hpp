@@ -1,7 +1,6 @@
 // The short drive that the guide asks for, with random blocks, and a robot whose configured calibration is wrong.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "host/calibrate/calibrate.hpp"

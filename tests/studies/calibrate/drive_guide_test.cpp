@@ -2,8 +2,6 @@
 // small sigma; another need not.
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "host/calibrate/calibrate.hpp"
 #include "tests/firmware/loop/desk.hpp"
 #include "tests/studies/calibrate/calibration_drive.hpp"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "host/evaluate/evaluate.hpp"
-#include "host/result/lookup.hpp"
 #include "host/result/text.hpp"
 #include "host/scene/load.hpp"
 #include "host/simulate/simulate.hpp"

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "host/evaluate/evaluate.hpp"
 #include "host/evaluate/metrics.hpp"
-#include "host/geometry/planar.hpp"
 #include "host/simulate/simulate.hpp"
 #include "tests/firmware/record/lines.hpp"
 #include "tests/studies/common/study.hpp"

@@ -1,7 +1,6 @@
 #include "tests/studies/hazards/encounter_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "host/simulate/truth.hpp"

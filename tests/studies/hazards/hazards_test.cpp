@@ -1,7 +1,6 @@
 // The judges of the table, on runs made by hand: a late stop has to be found late.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "host/geometry/rings.hpp"

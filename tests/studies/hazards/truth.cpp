@@ -1,7 +1,6 @@
 #include "tests/studies/hazards/truth.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "host/geometry/rings.hpp"

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "host/paper/blocks_world.hpp"
 #include "host/paper/reacquire.hpp"
 
 namespace fencepost::test {

@@ -68,8 +68,11 @@ TEST_P(SmoothDrift, IsTakenBackThroughAFisheye) {
   EXPECT_LT(result.edges_after, 1.2);  // px; the noise is 0.7
 }
 
-TEST(Smooth, PerfectOdometryCostsNothing) {
+struct Smooth : testing::Test {
   RoundTripOptions options;
+};
+
+TEST_F(Smooth, PerfectOdometryCostsNothing) {
   options.seed = 311;
   const RoundTrip trip = round_trip(options);
   const Smoothed result = smoothed(trip);
@@ -84,8 +87,7 @@ TEST(Smooth, PerfectOdometryCostsNothing) {
 }
 
 // Six blocks of one colour: what is joined is one, what stands apart stays apart.
-TEST(Smooth, OneColourStaysSixBlocks) {
-  RoundTripOptions options;
+TEST_F(Smooth, OneColourStaysSixBlocks) {
   options.seed = 321;
   options.one_colour = true;
   const RoundTrip trip = round_trip(options);
@@ -94,8 +96,7 @@ TEST(Smooth, OneColourStaysSixBlocks) {
   EXPECT_LT(evaluate_smoothed(result, trip.scene, "trip").optimum.as_it_stands, 0.02);
 }
 
-TEST(Smooth, OneObjectIsEnough) {
-  RoundTripOptions options;
+TEST_F(Smooth, OneObjectIsEnough) {
   options.seed = 331;
   options.blocks = 1;
   const Smoothed result = smoothed(round_trip(options));
@@ -103,8 +104,7 @@ TEST(Smooth, OneObjectIsEnough) {
   EXPECT_EQ(result.optimum.path.size(), result.online.path.size());
 }
 
-TEST(Smooth, SkipsBadLinesAsAReplayDoes) {
-  RoundTripOptions options;
+TEST_F(Smooth, SkipsBadLinesAsAReplayDoes) {
   options.seed = 341;
   RoundTrip trip = round_trip(options);
   const std::size_t clean = smoothed(trip).objects.size();
@@ -114,8 +114,7 @@ TEST(Smooth, SkipsBadLinesAsAReplayDoes) {
   EXPECT_EQ(result.online.log.foreign, 1U);
 }
 
-TEST(Smooth, CalibratesOnRequestOnly) {
-  RoundTripOptions options;
+TEST_F(Smooth, CalibratesOnRequestOnly) {
   options.seed = 351;
   const RoundTrip trip = round_trip(options);
   EXPECT_TRUE(smoothed(trip).findings.empty());
@@ -127,16 +126,14 @@ TEST(Smooth, CalibratesOnRequestOnly) {
   EXPECT_NEAR(result.camera.fx.to_double(), 273.6, 6);
 }
 
-TEST(Smooth, SaysWhatALogLacks) {
-  RoundTripOptions options;
+TEST_F(Smooth, SaysWhatALogLacks) {
   options.blocks = 0;
   const SmoothOutcome outcome = smooth(round_trip(options).log, "empty floor", {});
   EXPECT_FALSE(outcome.smoothed);
   EXPECT_NE(outcome.refusal.find("empty floor: no object was seen"), std::string::npos) << outcome.refusal;
 }
 
-TEST(Smooth, SameBytesSameResult) {
-  RoundTripOptions options;
+TEST_F(Smooth, SameBytesSameResult) {
   options.seed = 361;
   options.drift = 0.01;
   const RoundTrip trip = round_trip(options);

@@ -1,6 +1,5 @@
 #include "tests/studies/soak/course.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -11,7 +10,6 @@
 #include "host/scene/table_camera.hpp"
 #include "host/simulate/odometer.hpp"
 #include "host/simulate/simulate.hpp"
-#include "tests/studies/common/random_footprint.hpp"
 #include "tests/studies/common/random_scene.hpp"
 
 namespace fencepost::test {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "host/geometry/rings.hpp"
 #include "tests/studies/common/study.hpp"

@@ -1,7 +1,5 @@
 #include "tests/studies/storm/flash_check.hpp"
 
-#include <algorithm>
-
 #include "firmware/config/settings_store.hpp"
 #include "tests/firmware/record/lines.hpp"
 

@@ -5,7 +5,6 @@
 #include <deque>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "firmware/config/settings.hpp"
 #include "hal/sensor/blob_frame.hpp"

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 
 #include "firmware/config/colours.hpp"
-#include "host/devices/emulated.hpp"
 #include "host/devices/open_devices.hpp"
 #include "tests/firmware/record/lines.hpp"
 #include "tests/studies/storm/bench.hpp"

@@ -1,7 +1,5 @@
 #include "tests/studies/storm/world.hpp"
 
-#include <algorithm>
-
 namespace fencepost::test {
 
 World::World(std::vector<Lap> laps, std::uint64_t order, base::Time begin)

@@ -2,7 +2,6 @@
 // it.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "host/scene/scene.hpp"

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
-#include <string_view>
 
 #include "tests/studies/common/noise_levels.hpp"
 #include "tests/studies/tables/quality_run.hpp"

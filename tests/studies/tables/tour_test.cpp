@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "tests/studies/tables/given_run.hpp"
 #include "tests/studies/tables/quality_run.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
 #include "host/share/examples/around_things.h"

@@ -12,6 +12,7 @@
 #include "host/replay/replay.hpp"
 #include "host/result/lookup.hpp"
 #include "host/smooth/par.hpp"
+#include "tests/folder.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -42,19 +43,14 @@ double distance(host::Point a, host::Point b) { return std::hypot(a.x - b.x, a.y
 class WholeNames {
  public:
   explicit WholeNames(const std::string& from) {
-    std::filesystem::create_directories(folder_);
     for (const std::string name : {"measurements.dat", "inputs.dat"}) {
-      std::filesystem::remove(folder_ / name);
-      std::filesystem::create_symlink(std::filesystem::absolute(from) / (name + ".first_half"), folder_ / name);
+      std::filesystem::create_symlink(std::filesystem::absolute(from) / (name + ".first_half"), folder_.file(name));
     }
   }
-  ~WholeNames() { std::filesystem::remove_all(folder_); }
-  WholeNames(const WholeNames&) = delete;
-  WholeNames& operator=(const WholeNames&) = delete;
-  [[nodiscard]] std::string folder() const { return folder_.string(); }
+  [[nodiscard]] std::string folder() const { return folder_.path().string(); }
 
  private:
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "fencepost_victoria";
+  test::Folder folder_;
 };
 
 std::optional<host::Point> at(const std::vector<host::PoseResult>& path, double t) {

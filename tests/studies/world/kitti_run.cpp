@@ -1,7 +1,6 @@
 #include "tests/studies/world/kitti_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>

@@ -12,8 +12,6 @@
 namespace fencepost::test {
 namespace {
 
-using recon::kNoMatch;
-
 struct Thing : recon::ObjectCore {
   static constexpr bool kPredictsByOutline = false;
 };

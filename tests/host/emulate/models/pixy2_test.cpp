@@ -26,8 +26,11 @@ Bytes ask(Device& device, const Bytes& request, base::Time now = kPixy2Up) {
 const sensor::Blob kFirst{1, 138, 89, 177, 119, {}, {}, 0, {}};
 const sensor::Blob kSecond{2, 44, 55, 55, 65, {}, {}, 0, {}};
 
-TEST(EmulatedPixy2, AnswersAsDocumented) {
-  Pixy2 device(base::Time{});
+struct EmulatedPixy2 : testing::Test {
+  Pixy2 device{base::Time{}};
+};
+
+TEST_F(EmulatedPixy2, AnswersAsDocumented) {
   EXPECT_EQ(ask(device, hex("AE C1 0E 00")), hex("AF C1 0F 10 17 03 00 22 03 00 14 00 67 65 6E 65 72 61 6C 00 00 00"));
   EXPECT_EQ(ask(device, hex("AE C1 0C 01 00")), hex("AF C1 0D 04 0D 01 3C 01 D0 00"));
   device.show({});
@@ -39,8 +42,7 @@ TEST(EmulatedPixy2, AnswersAsDocumented) {
   EXPECT_EQ(device.not_emulated(), (std::vector<std::string>{"request 55", "LED"}));
 }
 
-TEST(EmulatedPixy2, SendsBlocksAsDocumented) {
-  Pixy2 device(base::Time{});
+TEST_F(EmulatedPixy2, SendsBlocksAsDocumented) {
   device.show({kSecond, kFirst});
   EXPECT_EQ(ask(device, hex("AF C1 20 02 FE 01 FF FF")),
             hex("AF C1 21 1C D4 01 01 00 9E 00 68 00 28 00 1E 00 00 00 01 00 "
@@ -60,12 +62,11 @@ std::vector<std::pair<int, int>> tracked(Pixy2& device, const std::vector<sensor
   return list;
 }
 
-TEST(EmulatedPixy2, TracksBlobsThatAreNear) {
+TEST_F(EmulatedPixy2, TracksBlobsThatAreNear) {
   using List = std::vector<std::pair<int, int>>;
   const auto at = [](std::int16_t x, std::uint8_t signature = 1, std::int16_t low = 60) {
     return sensor::Blob{signature, x, 50, static_cast<std::int16_t>(x + 20), low, {}, {}, 0, {}};
   };
-  Pixy2 device(base::Time{});
   EXPECT_EQ(tracked(device, {at(100), at(150, 1, 59)}), (List{{0, 0}, {1, 0}}));
   EXPECT_EQ(tracked(device, {at(140), at(110, 1, 59)}), (List{{1, 1}, {0, 1}})) << "each takes the nearer one";
   EXPECT_EQ(tracked(device, {at(110, 2), at(140, 1, 59)}), (List{{2, 0}, {1, 2}})) << "another colour";
@@ -77,15 +78,13 @@ TEST(EmulatedPixy2, TracksBlobsThatAreNear) {
   EXPECT_EQ(tracked(device, {at(138, 1)}), (List{{4, 255}}));
 }
 
-TEST(EmulatedPixy2, DropsDamagedRequestsAndStartsSlowly) {
-  Pixy2 device(base::Time{});
+TEST_F(EmulatedPixy2, DropsDamagedRequestsAndStartsSlowly) {
   EXPECT_TRUE(ask(device, hex("AF C1 20 02 FE 02 FF FF")).empty());
   EXPECT_EQ(ask(device, hex("AF C1 0E 00 00 00"), base::Time{10'000}), hex("AF C1 03 01 FE 00 FE"));
   EXPECT_TRUE(ask(device, hex("AF C1 0E 00 00 00"), base::Time{4'000}).empty());
 }
 
-TEST(EmulatedPixy2, SpeaksChirpAsDocumented) {
-  Pixy2 device(base::Time{});
+TEST_F(EmulatedPixy2, SpeaksChirpAsDocumented) {
   Pixy2Usb usb(device);
   Bytes init = hex("55 55 AA AA A1 00 00 00 06 00 00 00 02 02 40 00 01 01");
   init.resize(64, 0);
@@ -96,8 +95,7 @@ TEST(EmulatedPixy2, SpeaksChirpAsDocumented) {
 }
 
 // As the firmware does: a host that only ever asks for blocks gets them though another program ran.
-TEST(EmulatedPixy2, ChangesProgramWhenAskedForBlocks) {
-  Pixy2 device(base::Time{});
+TEST_F(EmulatedPixy2, ChangesProgramWhenAskedForBlocks) {
   device.set_default_program("line_tracking");
   EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF")), hex("AF C1 03 01 FA 00 FA"));
   EXPECT_EQ(ask(device, hex("AE C1 20 02 FF FF"), kPixy2Up + base::milliseconds(79)), hex("AF C1 03 01 FA 00 FA"));
@@ -106,8 +104,7 @@ TEST(EmulatedPixy2, ChangesProgramWhenAskedForBlocks) {
 }
 
 // A host that asks for the resolution as soon as the program is said to run must get that program's.
-TEST(EmulatedPixy2, SaysThatAProgramRunsOnceItDoes) {
-  Pixy2 device(base::Time{});
+TEST_F(EmulatedPixy2, SaysThatAProgramRunsOnceItDoes) {
   const auto line = hex("AE C1 02 0D 6C 69 6E 65 5F 74 72 61 63 6B 69 6E 67");  // "line_tracking"
   EXPECT_EQ(ask(device, line), hex("AF C1 01 04 00 00 00 00 00 00"));
   EXPECT_EQ(ask(device, line, kPixy2Up + base::milliseconds(79)), hex("AF C1 01 04 00 00 00 00 00 00"));

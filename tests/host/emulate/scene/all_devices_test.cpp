@@ -15,7 +15,7 @@
 #include "drivers/pixy2/camera.hpp"
 #include "drivers/xbc/xbc.hpp"
 #include "hal/linux/tty.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 #include "tests/host/emulate/scene/running.hpp"
 
 namespace fencepost::emulate {
@@ -125,7 +125,7 @@ void expect_everything(Running& running, Host<Link>& host, const Feed& feed) {
 }
 
 TEST(AllEmulatedDevices, OnPtysWithTheMachinesOwnBus) {
-  const linux::TestFolder folder;
+  const test::Folder folder;
   const Feed feed = small_boxes();
   Running running(feed, unhurried());
   const std::vector<std::string> devices = Host<linux::Tty>::devices();

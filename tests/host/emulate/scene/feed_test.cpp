@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "host/scene/load.hpp"
 #include "host/simulate/simulate.hpp"
 #include "tests/host/contents.hpp"

@@ -17,18 +17,20 @@
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/tty.hpp"
 #include "tests/drivers/hex.hpp"
-#include "tests/hal/linux/pty.hpp"
+#include "tests/folder.hpp"
 #include "tests/host/emulate/scene/running.hpp"
 
 namespace fencepost::emulate {
 namespace {
 
 namespace fs = std::filesystem;
-using linux::TestFolder;
 using test::hex;
 
-TEST(EmulateServer, ShowsFramesAndThePoseOnPtys) {
-  const TestFolder folder;
+struct EmulateServer : testing::Test {
+  const test::Folder folder;
+};
+
+TEST_F(EmulateServer, ShowsFramesAndThePoseOnPtys) {
   const Feed feed = moving_box(316, 208, 12);
   Running running(feed, unhurried());
   running.add("pixy2,baud=0", open_pty(folder.file("pixy2")));
@@ -55,8 +57,7 @@ TEST(EmulateServer, ShowsFramesAndThePoseOnPtys) {
   EXPECT_EQ(last.y.raw, 0);
 }
 
-TEST(EmulateServer, LinkIsThereWhileItRuns) {
-  const TestFolder folder;
+TEST_F(EmulateServer, LinkIsThereWhileItRuns) {
   const std::string link = folder.file("pixy2");
   {
     OpenedTransport transport = open_pty(link);
@@ -72,8 +73,7 @@ TEST(EmulateServer, LinkIsThereWhileItRuns) {
   EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
 }
 
-TEST(EmulateServer, LinkReplacesADeadOneAndNothingElse) {
-  const TestFolder folder;
+TEST_F(EmulateServer, LinkReplacesADeadOneAndNothingElse) {
   const std::string link = folder.file("pixy2");
   fs::create_symlink("/dev/pts/no_such_one", link);
   EXPECT_TRUE(open_pty(link).ok());
@@ -85,8 +85,7 @@ TEST(EmulateServer, LinkReplacesADeadOneAndNothingElse) {
   EXPECT_FALSE(open_pty(folder.file("no/such/folder")).ok());
 }
 
-TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
-  const TestFolder folder;
+TEST_F(EmulateServer, SurvivesAHostThatClosesAndReopens) {
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam1", open_pty(folder.file("camera")));
   running.start();
@@ -114,8 +113,7 @@ TEST(EmulateServer, SurvivesAHostThatClosesAndReopens) {
 }
 
 // `cat` and `printf > port` set no rate.
-TEST(EmulateServer, IsHeardByAHostThatSetsNoBaudRate) {
-  const TestFolder folder;
+TEST_F(EmulateServer, IsHeardByAHostThatSetsNoBaudRate) {
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam4", open_pty(folder.file("camera")));
   running.start();
@@ -136,8 +134,7 @@ TEST(EmulateServer, IsHeardByAHostThatSetsNoBaudRate) {
 }
 
 // A megabyte that a camera of 115,200 baud would answer for minutes: the host's writes wait, and nothing piles up.
-TEST(EmulateServer, AHostThatFloodsItWaits) {
-  const TestFolder folder;
+TEST_F(EmulateServer, AHostThatFloodsItWaits) {
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam2", open_pty(folder.file("camera")));
   running.start();
@@ -159,8 +156,7 @@ TEST(EmulateServer, AHostThatFloodsItWaits) {
 }
 
 // The answer to BM comes at the old rate; from then on the camera is heard, and hears, at the new one.
-TEST(EmulateServer, FollowsACmucam4ThatChangesItsRate) {
-  const TestFolder folder;
+TEST_F(EmulateServer, FollowsACmucam4ThatChangesItsRate) {
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam4", open_pty(folder.file("camera")));
   running.start();
@@ -188,8 +184,7 @@ TEST(EmulateServer, FollowsACmucam4ThatChangesItsRate) {
 }
 
 // The first host has the right rate. The second one's wrong rate is reported once, and nothing gets through.
-TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
-  const TestFolder folder;
+TEST_F(EmulateServer, ComparesTheBaudRateOfEachHost) {
   Running running(moving_box(316, 208, 1'000));
   running.add("cmucam4", open_pty(folder.file("camera")));
   running.start();
@@ -237,8 +232,7 @@ TEST(EmulateServer, ComparesTheBaudRateOfEachHost) {
 }
 
 // One that speaks unasked.
-TEST(EmulateServer, SaysGarbageAtAnotherBaudRate) {
-  const TestFolder folder;
+TEST_F(EmulateServer, SaysGarbageAtAnotherBaudRate) {
   Running running(moving_box(320, 200, 1'000));
   running.add("pixy1", open_pty(folder.file("camera")));
   running.start();
@@ -260,7 +254,7 @@ TEST(EmulateServer, SaysGarbageAtAnotherBaudRate) {
   running.stop();
 }
 
-TEST(EmulateServer, ShowsFramesOnTcp) {
+TEST_F(EmulateServer, ShowsFramesOnTcp) {
   const Feed feed = moving_box(316, 208, 12);
   Running running(feed, unhurried());
   running.add("pixy2,baud=0", open_tcp("0"));
@@ -277,7 +271,7 @@ TEST(EmulateServer, ShowsFramesOnTcp) {
   EXPECT_TRUE(in_order(seen, feed));
 }
 
-TEST(EmulateServer, TakesOneHostAtATimeOnTcp) {
+TEST_F(EmulateServer, TakesOneHostAtATimeOnTcp) {
   Running running(moving_box(316, 208, 1'000));
   running.add("pixy2", open_tcp("127.0.0.1:0"));
   running.start();
@@ -301,8 +295,7 @@ TEST(EmulateServer, TakesOneHostAtATimeOnTcp) {
   })) << "the first one has gone";
 }
 
-TEST(EmulateServer, UnplugsAndComesBackUnderItsLink) {
-  const TestFolder folder;
+TEST_F(EmulateServer, UnplugsAndComesBackUnderItsLink) {
   FaultSettings faults;
   faults.unplug = base::milliseconds(300);
   faults.unplug_time = base::milliseconds(300);
@@ -326,7 +319,7 @@ TEST(EmulateServer, UnplugsAndComesBackUnderItsLink) {
   EXPECT_GE(running.endpoint(0).faults().unplugs, 2U);
 }
 
-TEST(EmulateServer, SaysWhyAPortCannotBe) {
+TEST_F(EmulateServer, SaysWhyAPortCannotBe) {
   OpenedTransport first = open_tcp("0");
   ASSERT_TRUE(first.ok());
   const std::string place = (*first)->place();

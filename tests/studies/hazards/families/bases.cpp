@@ -1,7 +1,6 @@
 // Feet that are not on the floor or not seen, and a camera that is not as configured.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <numbers>
 
 #include "tests/studies/hazards/scenery.hpp"
