@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "drivers/serial/hearing.hpp"
 #include "drivers/serial/outbox.hpp"

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "drivers/nxtcam/v5_session.hpp"
 #include "drivers/wire/flush.hpp"

@@ -1,6 +1,5 @@
 // The C interface: what of it needs a core.
 #include <cstdint>
-#include <memory>
 
 #include "firmware/fencepost/handle.hpp"
 

@@ -1,12 +1,9 @@
 // The state behind the library's object: one robot's memory and pipeline, and its listeners.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string_view>
 
 #include "firmware/fencepost/convert.hpp"
 #include "firmware/loop/alert_listener.hpp"

@@ -1,7 +1,6 @@
 // The loop's own output: records in mode log, sentences in mode text, numbers in mode plot.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>

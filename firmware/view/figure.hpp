@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "firmware/console/map_shape.hpp"
 #include "firmware/recon/observe/pose_history.hpp"

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "firmware/alert/alerts.hpp"
 #include "firmware/console/links.hpp"

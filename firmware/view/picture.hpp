@@ -1,7 +1,6 @@
 // One picture of the map, taken at one moment and painted row by row later.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

@@ -1,8 +1,6 @@
 // How a thread wakes the loop: a flag that poll(2) can see (eventfd).
 #pragma once
 
-#include <cstdint>
-
 #include "hal/linux/descriptor.hpp"
 #include "hal/linux/opened.hpp"
 

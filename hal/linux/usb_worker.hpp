@@ -3,7 +3,6 @@
 
 #include <libusb-1.0/libusb.h>
 
-#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>

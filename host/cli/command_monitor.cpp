@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
 #include <memory>
 
 #include "firmware/record/stream_reader.hpp"

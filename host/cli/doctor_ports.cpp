@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "host/cli/live_devices.hpp"
 #include "host/cli/stop_signals.hpp"
 #include "host/cli/system.hpp"

@@ -1,7 +1,6 @@
 // Every device that the program knows.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "host/devices/device_spec.hpp"

@@ -1,7 +1,5 @@
 #include "host/evaluate/assignment.hpp"
 
-#include <algorithm>
-
 namespace fencepost::host {
 namespace {
 

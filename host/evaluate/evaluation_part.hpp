@@ -2,7 +2,6 @@
 // means of the whole do not depend on how it was divided.
 #pragma once
 
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "host/evaluate/frame_truths.hpp"
 #include "host/replay/run_observer.hpp"

@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/simulate/simulate.hpp"
-
 namespace fencepost::host {
 
 /// A thread that simulates until a fixed number of frames waits.

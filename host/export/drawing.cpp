@@ -7,11 +7,8 @@
 
 #include "host/report/label_space.hpp"
 #include "host/report/map_frame.hpp"
-#include "host/report/map_objects.hpp"
-#include "host/report/markup.hpp"
 #include "host/report/palette.hpp"
 #include "host/report/ticks.hpp"
-#include "host/result/lookup.hpp"
 
 namespace fencepost::host::exports {
 namespace {

@@ -1,7 +1,5 @@
 #include "host/export/geojson_map.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>

@@ -1,7 +1,6 @@
 #include "host/geometry/half_planes.hpp"
 
 #include <cmath>
-#include <utility>
 
 namespace fencepost::host {
 

@@ -1,9 +1,7 @@
 // The plane is cut into slabs at every vertex and crossing, so that no edges cross inside a slab.
 // There a covered width is linear: its area is the width at half height times the height.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include "host/geometry/planar.hpp"
 

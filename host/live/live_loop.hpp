@@ -9,7 +9,6 @@
 #include "firmware/console/console_state.hpp"
 #include "firmware/console/counters.hpp"
 #include "firmware/record/records.hpp"
-#include "hal/linux/wait.hpp"
 #include "host/live/console_port.hpp"
 #include "host/live/device.hpp"
 #include "host/live/robot_file.hpp"

@@ -1,7 +1,5 @@
 #include "host/live/open_port.hpp"
 
-#include <utility>
-
 #include "hal/linux/i2c.hpp"
 #include "hal/linux/spi.hpp"
 #include "hal/linux/tcp.hpp"

@@ -1,7 +1,5 @@
 #include "host/models/cylinder_paper.hpp"
 
-#include <cmath>
-
 namespace fencepost::recon {
 namespace {
 // Determinant per squared view below which all bearings are parallel to float precision.

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "firmware/recon/models/hybrid/cyclic_band.hpp"
 #include "firmware/recon/models/hybrid/low_order_fit.hpp"

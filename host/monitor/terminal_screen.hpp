@@ -1,7 +1,6 @@
 // Takes the terminal for a screen, and gives it back as it was, however the program ends.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

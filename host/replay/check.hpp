@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "firmware/record/encode.hpp"
 #include "firmware/record/line_reader.hpp"

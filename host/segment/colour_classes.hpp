@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "firmware/record/records.hpp"

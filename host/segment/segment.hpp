@@ -2,7 +2,6 @@
 // share/doc/segment.md).
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <opencv2/core.hpp>
 #include <optional>

@@ -1,7 +1,5 @@
 #include "host/simulate/simulate.hpp"
 
-#include <utility>
-
 #include "host/simulate/simulation.hpp"
 
 namespace fencepost::host {

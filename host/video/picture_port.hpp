@@ -1,7 +1,6 @@
 // Sources of pictures chosen at run time, there or waiting for their camera.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>

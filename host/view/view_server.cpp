@@ -11,8 +11,6 @@
 #include <cerrno>
 #include <csignal>
 
-#include "host/view/request.hpp"
-
 namespace fencepost::host {
 namespace {
 

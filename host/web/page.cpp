@@ -1,6 +1,5 @@
 #include "host/web/page.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 

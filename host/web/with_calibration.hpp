@@ -1,7 +1,6 @@
 // A log with the calibration that it is short of.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 

@@ -1,7 +1,6 @@
 // The console through memory that an emulator can access: no emulator models the link port's UART.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,7 +1,6 @@
 #include "hal/mcu/nrf52/start.hpp"
 
 #include <array>
-#include <cstddef>
 
 #include "hal/mcu/cortex_m/core.hpp"
 #include "hal/mcu/nrf51/flash.hpp"

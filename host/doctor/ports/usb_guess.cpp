@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "host/devices/catalogue.hpp"
 
 namespace fencepost::host::doctor {

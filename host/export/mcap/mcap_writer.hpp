@@ -1,12 +1,10 @@
 // Writes MCAP files (mcap.dev, specification 0x0): chunks of zstd with message indexes, a summary, checksums.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace fencepost::host::exports {
