@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <span>
 
 namespace fencepost::guest {
 namespace {

@@ -111,11 +111,10 @@ TEST_F(Calibrate, ADistanceTellsTheWheelsScale) {
 }
 
 TEST_F(Calibrate, AColourThatIsNotThereIsAUsageError) {
-  DriveOptions drive;
-  drive.seed = 503;
-  CalibrateOptions options;
-  options.sizes = {{"purple", 0.05}};
-  const CalibrateOutcome outcome = run(calibration_drive(drive), options);
+  options.seed = 503;
+  CalibrateOptions asked;
+  asked.sizes = {{"purple", 0.05}};
+  const CalibrateOutcome outcome = run(calibration_drive(options), asked);
   EXPECT_FALSE(outcome.calibration);
   EXPECT_TRUE(outcome.usage);
   EXPECT_NE(outcome.refusal.find("no colour \"purple\""), std::string::npos) << outcome.refusal;
