@@ -122,8 +122,7 @@ void OutlineBatch::fit_series() {
 // The first pass believes all.
 void OutlineBatch::weigh_series(std::size_t lane, std::size_t pass, SeriesSums& sums) {
   Outline& outline = outlines_[lane];
-  const Widening widening{kLowOrderPasses[pass] * std::sqrt(outline.spread),
-                          kMisfit * std::max(0.0F, outline.x[0] - kFitsAny)};
+  const float widening = kLowOrderPasses[pass] * std::sqrt(outline.spread);
   sum_series(outline.series, outline.x, widening, pass == 0, sums);
   add_series_priors(outline.radius_prior, 3, outline.x, sums.matrix, sums.rhs);
 }
@@ -154,10 +153,8 @@ void OutlineBatch::begin_rings() {
 
 void OutlineBatch::weigh_ring(std::size_t lane, std::size_t pass) {
   Outline& outline = outlines_[lane];
-  const float widening = kSupportPasses[pass];
-  const float misfit = widening > 1 ? kFirstMisfit * (widening - 1) * std::max(0.0F, outline.size - kFitsAny) : 0.0F;
   RingEquations& equations = equations_[lane];
-  sum_ring(outline.ring, outline.offsets, {widening * std::sqrt(outline.spread), misfit}, equations, terms_[lane]);
+  sum_ring(outline.ring, outline.offsets, kSupportPasses[pass] * std::sqrt(outline.spread), equations, terms_[lane]);
 
   constexpr NodeStep kStep = node_step(kRing);
   const float share = std::clamp(kSharePerTangent * static_cast<float>(outline.series.edges), kMinSideShare, 1.0F);
@@ -193,8 +190,7 @@ void OutlineBatch::measure() {
     for (std::size_t lane = 0; lane < count(); ++lane) {
       Outline& outline = outlines_[lane];
       outline.offsets[kRing] = outline.offsets[0];
-      outline.size = sums[lane] / static_cast<float>(kRing);
-      outline.radius = std::clamp(outline.size, kMinRadius, kLargestSideRadius);
+      outline.radius = std::clamp(sums[lane] / static_cast<float>(kRing), kMinRadius, kLargestPrior);
     }
   });
 }

@@ -40,7 +40,6 @@ class OutlineBatch {
     bool stopped = false;  // the ring was: the result of the passes before is kept
     float spread = 1;
     Coefficients x{};  // of the series
-    float size = 0;    // mean support value, m
     float radius = 0;  // the same in a sensible range
     RingOffsets offsets{};
     std::array<std::uint8_t, kRing> sigmas{};

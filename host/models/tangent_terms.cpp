@@ -17,22 +17,9 @@ namespace {
 constexpr float kEverything = std::numeric_limits<float>::infinity();
 constexpr std::size_t kBlock = 16;  // done at a time: whole vectors, whatever their size
 
-// Sigmas as they count, and as the spread compares residuals with.
-struct Sigmas {
-  alignas(64) TangentRow counted;
-  alignas(64) TangentRow plain;
-};
-
-inline void widen(const TangentColumns& columns, std::size_t places, const Widening& widening, Sigmas& sigmas) {
-  for (std::size_t i = 0; i < places; ++i) {
-    sigmas.counted[i] = columns.sigma[i] * widening.scale;
-    sigmas.plain[i] = columns.sigma[i];
-  }
-  if (!(widening.misfit > 0)) return;
-  for (std::size_t i = 0; i < places; ++i) {
-    sigmas.counted[i] = with_misfit(sigmas.counted[i], widening.misfit);
-    sigmas.plain[i] = with_misfit(sigmas.plain[i], widening.misfit);
-  }
+// Sigmas as they count.
+inline void widen(const TangentColumns& columns, std::size_t places, float widening, TangentRow& sigmas) {
+  for (std::size_t i = 0; i < places; ++i) sigmas[i] = columns.sigma[i] * widening;
 }
 
 // exp(-x) of all places, in place. Each condition has a loop of its own: where the second follows from the first,
@@ -44,35 +31,32 @@ inline void widen(const TangentColumns& columns, std::size_t places, const Widen
   for (std::size_t i = 0; i < places; ++i) x[i] = base::exp_minus_within(x[i]) * not_nothing[i];
 }
 
-// How far each is believed: inlier_share(), or wholly.
-[[gnu::always_inline]] inline void doubt(const TangentColumns& columns, std::size_t places, const Sigmas& sigmas,
-                                         const TangentRow& residual, TangentRow& believed) {
-  alignas(64) TangentRow certain;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-  alignas(64) TangentRow likely;   // NOLINT(cppcoreguidelines-pro-type-member-init)
-  for (std::size_t i = 0; i < places; ++i) certain[i] = residual[i] > columns.certain[i] ? 1.0F : 0.0F;
-  for (std::size_t i = 0; i < places; ++i) likely[i] = inlier_exponent(residual[i], sigmas.counted[i]);
+// How far each is believed: inlier_share().
+[[gnu::always_inline]] inline void doubt(std::size_t places, const TangentRow& sigmas, const TangentRow& residual,
+                                         TangentRow& believed) {
+  alignas(64) TangentRow likely;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  for (std::size_t i = 0; i < places; ++i) likely[i] = inlier_exponent(residual[i], sigmas[i]);
   exp_minus(likely, places);
   for (std::size_t i = 0; i < places; ++i) {
-    const float share = inlier_share_by(likely[i], residual[i], sigmas.counted[i], kFartherOutliers);
-    believed[i] *= share * (1.0F - certain[i]) + certain[i];
+    believed[i] *= inlier_share_by(likely[i], residual[i], sigmas[i], kFartherOutliers);
   }
 }
 
 // Residuals are known. Nothing depends on another place, so all are done, whether they count or not, and conditions
 // become factors.
 template <bool kTrusted>
-[[gnu::always_inline]] inline void weigh(const TangentColumns& columns, std::size_t places, const Sigmas& sigmas,
+[[gnu::always_inline]] inline void weigh(const TangentColumns& columns, std::size_t places, const TangentRow& sigmas,
                                          TangentTerms& terms) {
   const TangentRow& least = kTrusted ? columns.firm : columns.least;
   alignas(64) TangentRow believed;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (std::size_t i = 0; i < places; ++i) believed[i] = columns.counted[i];
-  if constexpr (!kTrusted) doubt(columns, places, sigmas, terms.residual, believed);
+  if constexpr (!kTrusted) doubt(places, sigmas, terms.residual, believed);
   alignas(64) TangentRow counts;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (std::size_t i = 0; i < places; ++i) counts[i] = terms.residual[i] > least[i] ? 1.0F : 0.0F;
   for (std::size_t i = 0; i < places; ++i) {
-    const float sigma = sigmas.counted[i];
+    const float sigma = sigmas[i];
     terms.weight[i] = believed[i] / (sigma * sigma) * counts[i];
-    const float in_sigmas = terms.residual[i] / sigmas.plain[i];
+    const float in_sigmas = terms.residual[i] / columns.sigma[i];
     const float share = believed[i] * columns.is_edge[i];
     terms.share[i] = share;
     terms.square[i] = share * in_sigmas * in_sigmas;
@@ -142,7 +126,7 @@ constexpr auto kSigmas = [] {
   static_assert(kClustersPerSector == 2);
   if (own.lower_bound || packed_other.views == 0) return 1.0F;
   const Cluster other = unpacked(packed_other);
-  const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
+  const float enough = kOverrulingShare * own.views;
   return other.views >= enough && other.offset > own.offset + 2 * own.sigma ? kOverruled : 1.0F;
 }
 
@@ -180,8 +164,7 @@ void TangentColumns::put(std::size_t place, const Cluster& cluster, float counts
   counted[place] = counts_for;
   is_edge[place] = cluster.lower_bound ? 0.0F : 1.0F;
   least[place] = cluster.lower_bound ? 0.0F : -kEverything;
-  firm[place] = cluster.lower_bound ? kFarBeyond : -kEverything;
-  certain[place] = cluster.lower_bound ? kFarBeyond : kEverything;
+  firm[place] = cluster.lower_bound ? kEverything : -kEverything;
 }
 
 void TangentColumns::leave_out(std::size_t begin, std::size_t end) {
@@ -194,7 +177,6 @@ void TangentColumns::leave_out(std::size_t begin, std::size_t end) {
   fill(is_edge, 0);
   fill(least, kEverything);
   fill(firm, kEverything);
-  fill(certain, kEverything);
 }
 
 FENCEPOST_FOR_EACH_PROCESSOR
@@ -242,7 +224,7 @@ void gather(ConstClusters clusters, SeriesTangents& series, RingTangents& ring) 
 }
 
 FENCEPOST_FOR_EACH_PROCESSOR
-void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, const Widening& widening, bool trusted,
+void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, float widening, bool trusted,
                 SeriesSums& sums) {
   const std::size_t places = (tangents.count + kBlock - 1) / kBlock * kBlock;
   TangentTerms terms;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -257,7 +239,7 @@ void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, c
     residual -= basis[6][i] * x[6];
     terms.residual[i] = residual;
   }
-  Sigmas sigmas;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  alignas(64) TangentRow sigmas;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   widen(tangents.columns, places, widening, sigmas);
   if (trusted) {
     weigh<true>(tangents.columns, places, sigmas, terms);
@@ -299,8 +281,8 @@ void series_around(const std::array<float, kSeries>& x, const std::array<float, 
 }
 
 FENCEPOST_FOR_EACH_PROCESSOR
-void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Widening& widening,
-              RingEquations& equations, TangentTerms& terms) {
+void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, float widening, RingEquations& equations,
+              TangentTerms& terms) {
   static_assert(kClustersPerSector == 2);
   const TangentRow& a = tangents.first;
   const TangentRow& b = tangents.second;
@@ -310,7 +292,7 @@ void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Wi
       terms.residual[i] = tangents.columns.offset[i] - a[i] * offsets[k] - b[i] * offsets[k + 1];
     }
   }
-  Sigmas sigmas;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  alignas(64) TangentRow sigmas;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   widen(tangents.columns, kMaxTangents, widening, sigmas);
   weigh<false>(tangents.columns, kMaxTangents, sigmas, terms);
 

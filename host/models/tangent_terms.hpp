@@ -24,7 +24,6 @@ struct TangentColumns {
   alignas(64) TangentRow is_edge;  ///< 1; 0: a lower bound
   alignas(64) TangentRow least;    ///< m: a residual that is no larger does not count
   alignas(64) TangentRow firm;     ///< m: the same in a pass that takes all as inliers
-  alignas(64) TangentRow certain;  ///< m: a larger residual is always an inlier
 
   void put(std::size_t place, const Cluster& cluster, float counts_for);
   void leave_out(std::size_t begin, std::size_t end);
@@ -36,12 +35,6 @@ struct TangentTerms {
   alignas(64) TangentRow weight;
   alignas(64) TangentRow share;   ///< of Spread::weight
   alignas(64) TangentRow square;  ///< of Spread::squares
-};
-
-/// How sigmas count in a pass.
-struct Widening {
-  float scale;   ///< factor
-  float misfit;  ///< m
 };
 
 inline constexpr std::size_t kSeries = series_size(3);
@@ -72,8 +65,8 @@ struct SeriesSums {
   Spread spread;
 };
 
-/// One pass over all tangents. `trusted`: all are inliers.
-void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, const Widening& widening, bool trusted,
+/// One pass over all tangents. `widening`: factor on their sigmas; `trusted`: all are inliers.
+void sum_series(SeriesTangents& tangents, const std::array<float, kSeries>& x, float widening, bool trusted,
                 SeriesSums& sums);
 
 /// LowOrderFit::at() at all nodes of a ring.
@@ -100,8 +93,8 @@ struct RingEquations {
 };
 
 /// One pass over all tangents, from nothing but SupportFit's hold on its diagonal. `terms` are left for the spread.
-void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, const Widening& widening,
-              RingEquations& equations, TangentTerms& terms);
+void sum_ring(const RingTangents& tangents, const RingOffsets& offsets, float widening, RingEquations& equations,
+              TangentTerms& terms);
 
 /// Knowledge of the sides: SupportFit::add_side() for all of them.
 struct RingSides {

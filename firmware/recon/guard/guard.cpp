@@ -142,7 +142,7 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob, const Kno
   foot.nearest = foot.cut ? 0 : foot.depth - support;
   foot.farthest = foot.depth + support;
   foot.line = foot.depth;
-  if (foot.cut) foot.line = (foot.depth * (sides.left && sides.right ? kUnseenFootOfAll : kUnseenFoot)) >> 4;
+  if (foot.cut) foot.line = (foot.depth * kUnseenFoot) >> 4;
   if (foot.depth > kFarthest || foot.moves) return foot;
   const std::int32_t beyond = foot.cut ? 0 : kBeyondSide;
   foot.line_left = times(foot.line, left.slope) + (sides.left ? beyond : 0);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "firmware/recon/floor_frame.hpp"
+#include "firmware/recon/guard/tuning.hpp"
 #include "firmware/recon/observe/frame_queue.hpp"
 #include "firmware/recon/observe/sighting.hpp"
 #include "hal/base/stamp.hpp"
@@ -15,12 +16,12 @@ namespace fencepost::recon::guard {
 
 inline constexpr int kFloorCellLog2 = 6;                         ///< log2 of the cell's side in mm
 inline constexpr std::int32_t kFloorCell = 1 << kFloorCellLog2;  ///< mm, the side of a cell
-/// mm along the optical axis. Floor beyond this is not evaluated, like the guard's points.
-inline constexpr std::int32_t kFloorReach = 1500;
+/// mm along the optical axis. Floor beyond this is not evaluated. Derived: as the guard's points.
+inline constexpr std::int32_t kFloorReach = kFarthest;
 /// Minimum time between two frames that are evaluated.
 inline constexpr base::Duration kFloorInterval = base::milliseconds(200);
-/// Minimum time for which seen floor is remembered; the maximum is twice that. A mover may have come since.
-inline constexpr base::Duration kFloorRemembered = base::milliseconds(5000);
+/// Minimum time for which seen floor is remembered; the maximum is twice that. Derived: a mover may have come since.
+inline constexpr base::Duration kFloorRemembered = kOutOfSight;
 /// mm, the minimum height of a thing on the floor. With its foot nearer than the lowest row, it is still in the image.
 inline constexpr std::int32_t kMinHeight = 60;
 

@@ -24,8 +24,6 @@ inline constexpr std::int32_t kForgotten = 2000;
 /// Assumed depth of an unseen foot, in 1/16 of the nearest visible depth. Higher: late stops at what was never seen
 /// whole; lower: false ones (14: two fewer in 81 minutes). Derived: as the models have it.
 inline constexpr auto kUnseenFoot = static_cast<std::int32_t>(16 * kHiddenFootMean);
-/// The same of a blob as wide as the image. Flat.
-inline constexpr std::int32_t kUnseenFootOfAll = 10;
 /// mm by which a front goes on beyond the side of the image that cuts it. More: false stops in corridors; less: late
 /// ones at walls. Derived: to the next point.
 inline constexpr std::int32_t kBeyondSide = kSpacing;
@@ -52,8 +50,9 @@ inline constexpr auto kMinStep = static_cast<std::int32_t>(1000 * kPositionNoise
 // --- how long ---
 
 /// Time for which frames have to look past a point, in at least three of them, before it is deleted. Support counts
-/// twice against it. More: stale alerts; less: alerts that end because a camera misses a blob. Flat.
-inline constexpr base::Duration kRefutedAfter = base::milliseconds(300);
+/// twice against it. More: stale alerts; less: alerts that end because a camera misses a blob. Derived: kFewestViews
+/// times what one frame adds, which is as of an object.
+inline constexpr base::Duration kRefutedAfter{kFewestViews * kMissedByOneFrame.raw};
 /// Of the frames that show neither support nor floor behind a visible point, one in this many counts against it. A
 /// power of two. By design.
 inline constexpr unsigned kUnsureFrames = 8;

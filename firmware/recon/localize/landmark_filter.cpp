@@ -181,7 +181,7 @@ void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float i
       gauge.position * jacobian.center.squared_norm() + gauge.heading * jacobian.heading * jacobian.heading;
   const float share = std::min(1.0F, driven / innovation);
   gauge.surprise = squared < kMaxSurprise ? squared : kMaxSurprise;
-  gauge.usual += kUsualGain * (gauge.surprise - gauge.usual);
+  gauge.usual += kAgreementGain * (gauge.surprise - gauge.usual);
   gauge.factor = std::clamp(gauge.factor * (1 + kDriftGain * share * (gauge.surprise - 1)), 1.0F, kMaxDrift);
   gauge.position *= 1 - share;
   gauge.heading *= 1 - share;

@@ -13,7 +13,7 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
   const CylinderEstimate& estimate = object.cylinder.estimate();
   LandmarkGuess guess;
   guess.away = offset_from(seen.anchor, object.origin) + estimate.center;
-  guess.radius = std::min(estimate.radius, kLargestLandmark);
+  guess.radius = std::min(estimate.radius, kLargestRadius);
   guess.covariance = estimate.covariance;
   guess.covariance.scale(kOverconfidence);
   // The filter is linear in the place: what bearings alone have placed begins when the range is known.
@@ -27,7 +27,7 @@ LandmarkGuess guess_of_cylinder(const ObjectCore& object, const Sighting& seen) 
 RowDepth foot_depth(const Sighting& seen, const MeasurementNoise& noise) {
   const float drop = seen.bottom.drop;
   if (!seen.rows_known || seen.no_edge() || !is_edge(seen.bottom.end)) return {};
-  if (drop * kFarthestLandmark < seen.lens_height) return {};
+  if (!(drop > 0)) return {};
   const float depth = seen.lens_height / drop;
   const float row = noise.row_px / seen.focal;
   const float angle2 = row * row + noise.pitch * noise.pitch;
@@ -63,7 +63,7 @@ LandmarkGuess guess_of_sighting(const Sighting& seen, const MeasurementNoise& no
   if (!seen.both_edges()) return {};
   const RadiusPrior radius = radius_prior(seen.known_radius);
   const float half = 0.5F * (seen.left.direction - seen.right.direction).norm();
-  if (!(half * kFarthestLandmark > radius.mean)) return {};
+  if (!(half > 0)) return {};
   const RangeGuess range = range_of_sighting(seen, half, noise);
   LandmarkGuess guess;
   guess.away = seen.lens + range.distance * seen.center;

@@ -50,7 +50,7 @@ struct CorrectionOrder {
 /// Slot i of the filter is slot i of the map's table. An object is a landmark once kFewestViews views have shown it and
 /// its distance can at least be guessed. It ends when the object ends or moves, or its models begin again.
 /// Unless it always corrects, the filter runs beside the odometry, which gives the pose at first. Two conditions switch
-/// poses and objects over to the filter. Odometry is kDriftKnown sigmas from the filter's pose, and bearings alone
+/// poses and objects over to the filter. Odometry is kKnownSigmas sigmas from the filter's pose, and bearings alone
 /// support the filter.
 template <class Profile>
 class PoseCorrection {
@@ -242,7 +242,7 @@ class PoseCorrection {
   [[nodiscard]] bool knows_better_than(const MapPose& driven) {
     const float usual = std::max(1.0F, filter_.gauge().usual);
     return evidence_.enough(kPace.evidence) &&
-           distance_to(filter_.view(), driven) > kDriftKnown * kDriftKnown * usual * usual;
+           distance_to(filter_.view(), driven) > kKnownSigmas * kKnownSigmas * usual * usual;
   }
 
   // So near that stands_there() holds with any variances. This is the usual case and saves computing them.

@@ -18,14 +18,10 @@ namespace fencepost::recon {
 /// factor on the variances of a cylinder that becomes a landmark: it took the same frames and the same poses for
 /// independent. Derived: as a fit begins.
 inline constexpr float kOverconfidence = kFirstSpread;
-/// m, largest radius of a landmark. By design.
-inline constexpr float kLargestLandmark = 1.0F;
-/// share of a first distance by a typical size, one sigma of it. Drift study.
-inline constexpr float kSizeShare = 0.5F;
+/// share of a first distance by a typical size, one sigma of it. Derived: that of the size.
+inline constexpr float kSizeShare = kRadiusSigma / kTypicalRadius;
 /// m, sigma of a first place beside its bearing. Drift study.
 inline constexpr float kAcross = 0.03F;
-/// m, maximum distance of a first guess. By design.
-inline constexpr float kFarthestLandmark = 10.0F;
 /// sine of the half angle under which a landmark is seen, at most: the lens is not inside the circle. By design.
 inline constexpr float kWidestSine = 0.95F;
 
@@ -73,11 +69,6 @@ inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 3
 /// For small profiles: half as much evidence from half as many looks. Drift study with profile small, loops 500 to 529,
 /// also with five times the frames.
 inline constexpr LandmarkPace kPaceOfRobots{{0.08F, 160'000}, {0.04F, 80'000}, 0.02F, true, 6.0F};
-/// Gain of the running mean of surprises. By design.
-inline constexpr float kUsualGain = 1.0F / 64.0F;
-/// Sigmas from the odometry to where landmarks say, from which on odometry is known to drift. Less: true poses are
-/// made worse; more: a drifting map for longer. Real runs.
-inline constexpr float kDriftKnown = 4.0F;
 /// Maximum evidence of one bearing, in squared sigmas, see LandmarkPace: real bearings have long tails. Derived: where
 /// Huber's tails begin.
 inline constexpr float kMaxEvidence = kUsualSigmas * kUsualSigmas;
@@ -132,7 +123,7 @@ struct LensGate {
   float factor;
   float sigmas;
 };
-inline constexpr LensGate kLensWrong{1.15F, 5.0F};
-inline constexpr LensGate kLensRight{1.10F, 3.0F};
+inline constexpr LensGate kLensWrong{1.15F, kSurelySigmas};
+inline constexpr LensGate kLensRight{1.10F, kGateSigmas};
 
 }  // namespace fencepost::recon

@@ -194,7 +194,7 @@ void Cylinder::add(const Sighting& sighting, MapPoint origin, float novelty, con
     row_count_ += novelty;
     // Along a wall that the border cuts the row never changes.
     if (!sighting.cut_at_side && is_edge(sighting.bottom.end) &&
-        std::fabs(cross(sighting.axis, sighting.center)) < kAheadForTrend) {
+        std::fabs(cross(sighting.axis, sighting.center)) < kSameSide) {
       trend_.add(lens, sighting.center, row.depth / sighting.center.dot(sighting.axis), novelty / row.variance);
     }
   }
@@ -341,7 +341,7 @@ float prior_distance(const Sighting& sighting) {
   // sin of the half angle between the rays; a censored end makes the object look smaller, that is farther.
   const float sine = cross(sighting.right.direction, sighting.left.direction);
   const float half = std::max(0.5F * sine, 1e-3F);
-  return std::clamp(radius_prior(sighting.known_radius).mean / half, kNearestGuess, kRowMaxDepth);
+  return std::clamp(radius_prior(sighting.known_radius).mean / half, kNearestObject, kRowMaxDepth);
 }
 
 }  // namespace fencepost::recon

@@ -35,11 +35,6 @@ inline float inlier_share(float residual, float sigma, float farther_out = kFart
   return inlier_share_by(base::exp_minus(inlier_exponent(residual, sigma)), residual, sigma, farther_out);
 }
 
-/// m. A sigma, and by how much the model itself is off; 0: as it was, to the last bit.
-inline float with_misfit(float sigma, float misfit) {
-  return misfit > 0 ? std::sqrt(sigma * sigma + misfit * misfit) : sigma;
-}
-
 /// The prior of a fit's spread.
 struct SpreadPrior {
   float weight;    ///< in tangents

@@ -30,12 +30,12 @@ void RowTrend::judge() {
   scale_ = 1;
   if (!(weight_ > 0)) return;
   const float spread = this->spread();
-  if (!(spread > kMinSpread)) return;
+  if (!(spread > 0)) return;
   const float fall = (travel_ * range_ / weight_ - travel_range_) / spread;
   // The sum of three variances: noise, a foot that wanders on the object, and the error of the robot's way.
   const float sigma = std::sqrt((1 + kFootWanders * kFootWanders * weight_) / spread + kTravelError * kTravelError);
   const float off = fall - 1;
-  if (std::fabs(off) <= std::max(kTrendGate * sigma, kMinTrend)) {
+  if (std::fabs(off) <= std::max(kKnownSigmas * sigma, kMinTrend)) {
     if (sigma < kTrendSigma) verdict_ = RowVerdict::kTrue;
     return;
   }

@@ -19,8 +19,6 @@ inline constexpr float kRadiusSigma = 0.05F;
 /// m, sigma of the radius if the distance is otherwise open or the radius negative. A rough place is better than none
 /// for the next match and for the alert. By design.
 inline constexpr float kRadiusGuess = 0.01F;
-/// m. Guessed distances are at least this. By design.
-inline constexpr float kNearestGuess = 0.2F;
 
 /// Consecutive views with both ends before an object counts as seen whole. A wall longer than the image loses an end to
 /// noise in one view or two. More: alerts say "something" instead of the object's name; less: stops between walls.
@@ -61,8 +59,9 @@ inline constexpr float kNearestLens = 0.05F;
 inline constexpr float kInlierShare = 0.9F;
 /// m within which outliers lie, evenly. Prototype.
 inline constexpr float kOutlierReach = 0.3F;
-/// The same in sigmas; the larger of the two counts. Prototype.
-inline constexpr float kOutlierSigmas = 7.52F;
+/// The same in sigmas; the larger of the two counts. Derived: there are outliers kGateSigmas times less dense than the
+/// good ones at their peak, 1 / sqrt(2 pi).
+inline constexpr float kOutlierSigmas = 2.5066283F * kGateSigmas;
 /// likelihood of an outlier farther out than the model, against one inside it: pieces get lost far more often than
 /// segments grow. The hybrid's; the cylinder, which has one radius for all sides, takes both alike. Prototype.
 inline constexpr float kFartherOutliers = 0.25F;
@@ -81,15 +80,9 @@ inline constexpr float kTravelError = 0.02F;
 inline constexpr float kTrendSigma = kGateSigmas * kTravelError;
 /// m by which a foot wanders on the object while the robot passes it. Hazard table (bases; approaches for false stops).
 inline constexpr float kFootWanders = 0.004F;
-/// Sine of the maximum bearing at which rows are judged. The robot passes an object farther aside, and its nearest
-/// point is not at the middle of its box. By design.
-inline constexpr float kAheadForTrend = 0.35F;
-/// Sine of the angle by which the object may be seen from another side. By design.
-inline constexpr float kSameSide = 0.25F;
-/// Minimum weighted square of the way, as 1 / sigma^2 of that share, for a verdict. By design.
-inline constexpr float kMinSpread = 10;
-/// sigmas beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
-inline constexpr float kTrendGate = 4.0F;
+/// Sine of the maximum bearing at which rows are judged. The object may be seen from another side by as much. Its
+/// nearest point is still the same then. By design.
+inline constexpr float kSameSide = 0.35F;
 /// share of the distance beyond which the rows are wrong. Hazard table (bases; approaches for what it costs).
 inline constexpr float kMinTrend = 0.10F;
 /// Minimum ratio of the true depth to a row's; its inverse is the maximum. By design.
@@ -99,13 +92,14 @@ inline constexpr float kMinTrueShare = 0.4F;
 inline constexpr float kMaxDistanceSigmaShare = 0.25F;
 /// m. A larger radius is a contradiction, not an obstacle of a small robot. By design.
 inline constexpr float kLargestRadius = 1.5F;
-/// Gain of the running mean of agreement, for each tangent and each sighting of a landmark. By design.
+/// Gain of the running means: of agreement, for each tangent, and of landmarks' surprises. By design.
 inline constexpr float kAgreementGain = 1.0F / 16.0F;
 /// Mean agreement below which the past is forgotten. By design.
 inline constexpr float kAgreementFloor = 0.35F;
 /// Factor on past information in each view with such an agreement. By design.
 inline constexpr float kForgetting = 0.8F;
 /// 1/m^2. Information is halved beyond this, so that thousands of views neither freeze the estimate nor lose digits.
-inline constexpr float kMaxInformation = 4.0e7F;
+/// Derived: from 2^24 on, a float loses a weight of 1.
+inline constexpr float kMaxInformation = 1 << 24;
 
 }  // namespace fencepost::recon

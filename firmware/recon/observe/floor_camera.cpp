@@ -110,8 +110,8 @@ FloorCamera::Pair FloorCamera::at(std::int32_t twice_left, std::int32_t twice_ri
 // The foot of such an object appears between the middle row and the last one that the border does not cut.
 void FloorCamera::find_limits(std::int32_t columns, std::int32_t rows) {
   const std::int32_t low = 2 * rows - 5;
-  const std::int32_t left = 2 * kSidePixels;
-  const std::int32_t right = 2 * (columns - 1 - kSidePixels);
+  const std::int32_t left = 2 * kTouchPixels;
+  const std::int32_t right = 2 * (columns - 1 - kTouchPixels);
   const FloorPoint low_left = at(left, low);
   const FloorPoint low_right = at(right, low);
   const std::int32_t nearest = std::max({at(columns, low).depth, low_left.depth, low_right.depth});

@@ -17,11 +17,20 @@ inline constexpr std::uint8_t kFewestViews = 3;
 inline constexpr float kGateSigmas = 3.0F;
 /// sigmas. Noise seldom reaches this far; beyond it a measurement counts less. Real runs, as Huber's tails.
 inline constexpr float kUsualSigmas = 2.0F;
+/// sigmas from which a systematic error is known: odometry drifts, rows are wrong. Less: noise counts as one; more: it
+/// is known late. Real runs; hazard table (bases; approaches for what it costs).
+inline constexpr float kKnownSigmas = 4.0F;
 /// sigmas. Noise does not reach this far in a whole run. By design.
 inline constexpr float kSurelySigmas = 5.0F;
 /// Time for which the last state is assumed to hold: a gap in odometry is bridged, an object is still in view. A state
 /// that lasts longer is taken as a fact: the robot is stationary, an object is missing. By design.
 inline constexpr base::Duration kMoment = base::milliseconds(500);
+/// Maximum time that one frame adds to what is missing. An object that was missed for kMoment, by at least
+/// five frames, is refuted. Less: alerts end when a camera misses; more: ghosts. By design.
+inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
+/// Time after which what is out of sight may have changed. Floor is then not known to be free any more. A confirmed
+/// object makes room in a full table. By design.
+inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
 
 // --- the image ---
 
@@ -29,8 +38,6 @@ inline constexpr base::Duration kMoment = base::milliseconds(500);
 inline constexpr std::int16_t kBorderPixels = 1;
 /// Newton steps that invert the distortion: |k1| r^2 < 0.3 converges to float precision in four. Derived, one to spare.
 inline constexpr int kUndistortSteps = 5;
-/// px from the image's sides within which nothing has to be visible. By design.
-inline constexpr std::int32_t kSidePixels = 4;
 
 // --- time ---
 
@@ -49,6 +56,7 @@ inline constexpr float kNoiseColumns = 160;
 /// px, below which it does not fall. By design.
 inline constexpr float kMinEdgeNoise = 0.75F;
 /// px. Two blobs this close touch, and a blob this close to the border: whole pixels of both, and the gate of an edge.
+/// Nothing is expected to be visible so close to the image's sides.
 /// More: true edges are given up; less: a neighbour's edge counts as the object's own. Derived; the identity study
 /// agrees (4 % of the edges given up, 0 % taken wrongly, without noise).
 inline constexpr int kTouchPixels = 2 * kBorderPixels + static_cast<int>(kGateSigmas * kEdgeNoise);
@@ -76,13 +84,16 @@ inline constexpr float kRoundness = 0.2F;
 
 // --- ground rows ---
 
+/// m. No object is assumed nearer than this, or expected in the image: it would fill it. By design.
+inline constexpr float kNearestObject = 0.1F;
 /// m. Rows farther than this say more about the pitch than about the object. No distance is guessed beyond, and no
 /// object is expected there. Wrong depths stay inside the square in which models live. By design.
 inline constexpr float kRowMaxDepth = 2.5F;
 /// Mean depth of an unseen foot, as a share of the depth at which feet leave the image. Very near objects fill the
 /// image and have no edge at all, so the far half is likelier. By design.
 inline constexpr float kHiddenFootMean = 0.75F;
-/// Its sigma, as a share of the same depth. By design.
-inline constexpr float kHiddenFootSigma = 0.18F;
+/// Its sigma, as a share of the same depth. Derived: sqrt(3 / 80), of a density with that mean that grows with the
+/// square of the depth.
+inline constexpr float kHiddenFootSigma = 0.19365F;
 
 }  // namespace fencepost::recon

@@ -143,14 +143,14 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
   }
 }
 
-void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts) {
+void compare_foot(ObjectCore& object, const Observation& seen, bool stands) {
   if (seen.bearing) return;
   const bool jumped = stands && object.foot_row > 0 && std::abs(seen.box.y2 - object.foot_row) > kFootJump;
   if (!jumped) {
     object.foot_row = seen.box.y2;
     object.foot_off = 0;
   } else if (is_edge(seen.bottom)) {
-    object.foot_off = static_cast<std::uint8_t>(std::min(object.foot_off + counts, 0xFF));
+    object.foot_off = static_cast<std::uint8_t>(std::min(object.foot_off + 1, 0xFF));
   }
 }
 

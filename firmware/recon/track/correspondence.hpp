@@ -69,8 +69,8 @@ EndsOff ends_off(const Prediction& prediction, const Observation& seen, bool ins
 /// Not one that was `open`: of something longer than the image it is the end, seen at last.
 void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, EndsOff open = {});
 /// Likewise counts the frames in which a stationary robot sees the object's foot elsewhere: another object is there
-/// now. This frame counts as `counts`.
-void compare_foot(ObjectCore& object, const Observation& seen, bool stands, int counts);
+/// now.
+void compare_foot(ObjectCore& object, const Observation& seen, bool stands);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Observation& seen);

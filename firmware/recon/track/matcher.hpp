@@ -52,7 +52,7 @@ class Matcher {
     for (PiecePair pair = find(); pair.found; pair = find()) {  // each time a blob or an object less
       if (pair.whole != kNoMatch) {
         in_pieces_[pair.whole] = true;
-        if (objects[pair.whole].in_pieces >= kDividingFrames || !pair.rows_match) {
+        if (objects[pair.whole].in_pieces >= kFewestViews || !pair.rows_match) {
           divide(predictions_[pair.whole]);
           continue;
         }
@@ -115,13 +115,13 @@ class Matcher {
 
   /// The slot of the object of which a leftover blob may be a further piece; kObjects: none. The piece is inside the
   /// object's interval on the same foot, or it is alike and close beside the object's blob. A piece that stays beside
-  /// it for kDividingFrames no longer counts.
+  /// it for kFewestViews no longer counts.
   [[nodiscard]] std::size_t piece_of(const Objects& objects, std::size_t b) const {
     for (std::size_t o = 0; o < kObjects; ++o) {
       if (!may_be_piece(o, b)) continue;
       const int step = taken_by(o).box.y2 - observations_[b].box.y2;
       const bool inside = covers(predictions_[o], observations_[b]) && step <= kTouchPixels && step >= -kTouchPixels;
-      if (inside || (alike(o, b) && objects[o].in_pieces < kDividingFrames)) return o;
+      if (inside || (alike(o, b) && objects[o].in_pieces < kFewestViews)) return o;
     }
     return kObjects;
   }

@@ -197,9 +197,8 @@ struct Object : ObjectCore {
 
   // The estimate has left the inner part of the square in which the models live.
   [[nodiscard]] bool must_relocate() const {
-    if (!placed()) return true;
     constexpr float kInner = 0.75F * kArenaHalfSide;
-    return relocations < kMaxRelocations && cylinder.estimate().center.squared_norm() > kInner * kInner;
+    return !placed() || cylinder.estimate().center.squared_norm() > kInner * kInner;
   }
 
   // Puts the local origin at the estimate.
@@ -211,7 +210,7 @@ struct Object : ObjectCore {
     cylinder.move_origin(shift);
     band.move_origin(shift);
     for_each_model([&](auto& model) { model.move_origin(shift); });
-    ++relocations;
+    if (relocations < 0xFF) ++relocations;
   }
 };
 

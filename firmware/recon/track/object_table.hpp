@@ -105,7 +105,7 @@ class ObjectTable {
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
       compare_ends(object, matcher.prediction(o), seen, open_ends(object, matcher.prediction(o), seen, camera, lens));
-      compare_foot(object, seen, object.last_seen > stands_since_, elapsed_ >= kCountsTwice ? 2 : 1);
+      compare_foot(object, seen, object.last_seen > stands_since_);
       // Sightings of a mover do not meet in one place.
       if (object.contradicted() || seen.moves) {
         object.restart(make_sighting(camera, lens, seen), exposure_);
@@ -224,7 +224,7 @@ class ObjectTable {
     for (std::size_t o = 0; o < kObjects; ++o) {
       std::uint8_t& frames = objects_[o].in_pieces;
       if (!matcher.in_pieces(o)) frames = 0;
-      if (matcher.in_pieces(o) && frames < kDividingFrames) ++frames;
+      if (matcher.in_pieces(o) && frames < kFewestViews) ++frames;
     }
   }
 

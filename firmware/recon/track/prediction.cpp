@@ -52,8 +52,7 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float px_per_radian = columns_per_radian(camera, middle);
   const float left_sigma = sigma_of(seen.left, px_per_radian, noise);
   const float right_sigma = sigma_of(seen.right, px_per_radian, noise);
-  float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
-  if (object.moving) slack += camera.fx * kMovesBetween / std::max(kNearestExpected, seen.depth);
+  const float slack = kGateWidthShare * (u_right - u_left) + px_per_radian * kSlackRadians;
   const float left_tolerance = slack + kGateSigmas * left_sigma;
   const float right_tolerance = slack + kGateSigmas * right_sigma;
   prediction.left = {whole_pixels(u_left), whole_pixels(std::max(1.0F, left_sigma))};
@@ -63,10 +62,10 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   const float across = camera.equidistant ? middle.y() / middle.x() : 0.0F;  // no other lens asks
   predict_rows(camera, object, estimate, pose.axis, across, noise, prediction);
   const auto columns = static_cast<float>(camera.width);
-  const float border = kBorderShare * columns;
   const float near_square = middle.squared_norm();
-  prediction.expected = foot_inside(camera, prediction.bottom) && u_left > border && u_right < columns - border &&
-                        near_square > kNearestExpected * kNearestExpected && near_square < kRowMaxDepth * kRowMaxDepth;
+  prediction.expected = foot_inside(camera, prediction.bottom) && u_left > kTouchPixels &&
+                        u_right < columns - kTouchPixels && near_square > kNearestObject * kNearestObject &&
+                        near_square < kRowMaxDepth * kRowMaxDepth;
   const bool reaches_in = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
   const bool somewhere = std::min(left_sigma, right_sigma) >= kSomewhere * columns;
   prediction.possible = reaches_in && (prediction.expected || !somewhere);
@@ -90,7 +89,7 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
 Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                            const MeasurementNoise& noise) {
   const Vec2 lens = pose.lens_from(object.origin);
-  const Vec2 nearest = object.last_lens + kNearestUnknown * object.last_bearing - lens;
+  const Vec2 nearest = object.last_lens + kNearestObject * object.last_bearing - lens;
   const Vec2 far = to_camera(pose, object.last_bearing);
   const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, nearest.norm()));
   Prediction prediction;

@@ -22,15 +22,11 @@ inline constexpr float kHiddenRadians = 0.26F;
 /// share of the image's width, sigma of an end that may be anywhere in it. Even where the end is predicted a blob is
 /// then likelier something new. 1 / sqrt(2 pi): a normal's highest density is that of the whole width there. Derived.
 inline constexpr float kSomewhere = 0.399F;
-/// m, maximum move of a mover between two frames. More: swaps; less: doubles. By design: 1.5 m/s at 20 frames/s.
-inline constexpr float kMovesBetween = 0.08F;
 /// px, sigma of rows besides that of distance and pitch: whole pixels, rounded edges. By design.
 inline constexpr float kRowPixels = 1.5F;
-/// m. An object without a distance lies somewhere beyond this on its last bearing. By design.
-inline constexpr float kNearestUnknown = 0.15F;
 /// relative change of depth between sightings that the rows of an object without a distance are expected to show.
 inline constexpr float kRowChange = 0.15F;
-/// cost units of a pair that is wrong on all four sides; kUnmatchedCost is on this scale.
+/// cost units of a pair that is wrong on all four sides: the unit of costs. Derived: twice as much hardly fits a byte.
 inline constexpr float kCostScale = 200.0F;
 /// cost units, least cost of an object whose distance is unknown: any well-placed one goes first. Derived: two of its
 /// sides are wrong.
@@ -52,32 +48,15 @@ inline constexpr auto kCostOfOctave =
 /// Ratio of depths above which models do not decide which of two is in front. By design.
 inline constexpr float kSameDepth = 0.95F;
 
-// --- when an object should be in the image ---
-
-/// m, to the middle. A nearer object fills the image and is not expected to be seen. By design.
-inline constexpr float kNearestExpected = 0.1F;
-/// share of the columns, from the border, where nothing is expected. By design.
-inline constexpr float kBorderShare = 0.05F;
-
 // --- life cycle (object_table) ---
 
-/// frames in a row in pieces: noise does not do that, it is two objects. On which study was not kept.
-inline constexpr std::uint8_t kDividingFrames = 2;
 /// frames in a row in which one end is off and the other is not: the models are of something else. On which study was
 /// not kept.
 inline constexpr int kContradictingFrames = 10;
 /// px, gate of a foot's row while the robot is stationary, lost pieces left aside. Derived: the gates of both rows.
 inline constexpr auto kFootJump = static_cast<int>(2 * kGateSigmas * kRowNoise);
-/// Time since the frame before from which on a frame counts as two for the foot: a slow camera is no less right. Not
-/// for the ends: that lost landmarks of the real runs. By design.
-inline constexpr base::Duration kCountsTwice = base::milliseconds(60);
-/// relocations of an object's local frame, at most: more would be a place that no evidence settles. By design.
-inline constexpr std::uint8_t kMaxRelocations = 4;
 /// Presence is averaged over about this many expected sightings, as its inverse. By design.
 inline constexpr float kPresenceGain = 1.0F / 8.0F;
-/// Maximum time that one frame adds to an object's missing time. An object that was missed for kMoment, by at least
-/// five frames, is refuted. Less: alerts end when a camera misses; more: ghosts. By design.
-inline constexpr base::Duration kMissedByOneFrame{kMoment.raw / 5};
 /// sigmas. A foot's predicted row is inside the image with these to spare. A blob stands clearly behind it if its foot
 /// is higher by these. Derived: kUsualSigmas.
 inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
@@ -87,8 +66,6 @@ inline constexpr std::uint32_t kFewViews = 8;
 /// Time before a mover of its colour is known within which an object's last sighting may have been that mover. More:
 /// static objects are forgotten; less: ghosts. By design.
 inline constexpr base::Duration kTrail = base::milliseconds(1500);
-/// A confirmed object out of sight for longer makes room in a full table. By design.
-inline constexpr base::Duration kOutOfSight = base::milliseconds(5000);
 /// Minimum time for which an object is kept, whatever contradicts it. Derived: twice what refutes it.
 inline constexpr base::Duration kKeepUnseen{2 * kMoment.raw};
 

@@ -195,7 +195,7 @@ TEST(AlertSweep, OfSectorsAndWays) {
       sweep.tell("end", way.end);
     }
   }
-  expect_said(sweep, {"range 13968 dffd31a0", "free 1890 4f859a7b", "speed 1337 07f46618", "end 3418 316f1f2d"});
+  expect_said(sweep, {"range 13968 692788d1", "free 1885 f3906169", "speed 1332 c18a8db0", "end 3418 d7ddabf2"});
 }
 
 TEST(AlertSweep, OfInputs) {

@@ -81,7 +81,7 @@ std::size_t side_before(std::span<const std::int16_t, kDirections> offsets, cons
 float OutlineView::radius() const {
   std::int32_t sum = 0;
   for (const std::int16_t steps : offsets) sum += steps;
-  return std::max(kSmallestRadius, static_cast<float>(sum) * kOffsetStep / static_cast<float>(offsets.size()));
+  return std::max(kMinRadius, static_cast<float>(sum) * kOffsetStep / static_cast<float>(offsets.size()));
 }
 
 float OutlineView::mean_sigma() const {
@@ -182,9 +182,8 @@ std::size_t outline_polygon(const OutlineView& outline, float more, std::span<Ve
 Vec2 guessed_middle(const Sighting& first) {
   const RowDepth row = row_depth(first, {});
   const float along = first.axis.dot(first.center);
-  const float by_foot =
-      row.known && along > 0 ? row.depth / along + kFrontShare * radius_prior(first.known_radius).mean : 0.0F;
-  const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestGuess, kRowMaxDepth) : prior_distance(first);
+  const float by_foot = row.known && along > 0 ? row.depth / along + radius_prior(first.known_radius).mean : 0.0F;
+  const float distance = by_foot > 0 ? std::clamp(by_foot, kNearestObject, kRowMaxDepth) : prior_distance(first);
   return first.lens_from(first.anchor) + distance * first.center;
 }
 
@@ -215,12 +214,10 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   if (core.views < 255) ++core.views;
 }
 
-bool edges_contradict(const HybridCore& core, ConstClusters clusters, const OutlineView& outline, const Vec2& lens,
-                      const Vec2& normal) {
+bool edges_contradict(ConstClusters clusters, const OutlineView& outline, const Vec2& lens, const Vec2& normal) {
   const std::size_t sectors = outline.offsets.size();
   const SectorPlace place = place_of(normal, sectors);
   const float bound = normal.dot(lens);
-  const float slack = kOutgrown + (core.refusal == HybridRefusal::kNone ? kEndsBefore * outline.radius() : 0.0F);
   // The point of contact is not known; it may be far away on a long wall that is seen along its side.
   const float per_sector = node_step(sectors).angle * kOutlineSquare;
   for (int beside = -1; beside <= 1; ++beside) {
@@ -230,7 +227,7 @@ bool edges_contradict(const HybridCore& core, ConstClusters clusters, const Outl
       if (packed.views == 0) continue;
       const Cluster edge = unpack(packed);
       const float turned = std::fabs(static_cast<float>(beside) + edge.phase - place.phase);
-      if (!edge.lower_bound && std::fabs(edge.offset - bound) > slack + turned * per_sector) return true;
+      if (!edge.lower_bound && std::fabs(edge.offset - bound) > kOutgrown + turned * per_sector) return true;
     }
   }
   return false;

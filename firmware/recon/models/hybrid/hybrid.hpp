@@ -101,8 +101,7 @@ void hash_outline(base::Fnv1a64& hash, const HybridCore& core, const OutlineView
 
 /// True if edges seen before contradict an end that is seen from `lens` (local frame), with a tangent of this normal.
 /// False also where there were none.
-bool edges_contradict(const HybridCore& core, ConstClusters clusters, const OutlineView& outline, const Vec2& lens,
-                      const Vec2& normal);
+bool edges_contradict(ConstClusters clusters, const OutlineView& outline, const Vec2& lens, const Vec2& normal);
 
 /// kSectors: 64, or 32 on the smallest parts.
 template <std::size_t kSectors>
@@ -130,7 +129,7 @@ struct Hybrid : HybridCore {
 
   [[nodiscard]] bool ok() const { return refusal == HybridRefusal::kNone; }
   [[nodiscard]] bool edges_contradict(const Vec2& lens, const Vec2& normal) const {
-    return recon::edges_contradict(*this, clusters, outline(), lens, normal);
+    return recon::edges_contradict(clusters, outline(), lens, normal);
   }
   [[nodiscard]] OutlineView outline() const { return {offsets, sigmas}; }
 };

@@ -63,7 +63,6 @@ void LowOrderFit<kOrder>::begin_pass(float widening) {
   matrix_.fill(0);
   rhs_.fill(0);
   scale_ = widening * std::sqrt(spread_);
-  misfit_ = kMisfit * std::max(0.0F, x_[0] - kFitsAny);
   sums_ = {};
   tangents_ = 0;
 }
@@ -76,13 +75,12 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
   series_basis(direction_of(clusters, index), used);
   float residual = cluster.offset - x_[0];
   for (std::size_t i = 1; i < used.size(); ++i) residual -= used[i] * x_[i];
-  const bool far_beyond = cluster.lower_bound && residual > kFarBeyond;
-  if (cluster.lower_bound && !far_beyond && (trusted || residual <= 0)) return;
-  const float sigma = with_misfit(cluster.sigma * scale_, misfit_);
-  const float share = trusted || far_beyond ? 1.0F : inlier_share(residual, sigma);
+  if (cluster.lower_bound && (trusted || residual <= 0)) return;
+  const float sigma = cluster.sigma * scale_;
+  const float share = trusted ? 1.0F : inlier_share(residual, sigma);
   const float believed = cluster.views * standing(clusters, index) * share;
   if (!cluster.lower_bound) {
-    sums_.add(residual / with_misfit(cluster.sigma, misfit_), believed);
+    sums_.add(residual / cluster.sigma, believed);
     ++tangents_;
   }
   const float weight = believed / (sigma * sigma);

@@ -77,8 +77,7 @@ class LowOrderFit {
   std::array<float, kUnknowns> rhs_{};
   std::array<float, kUnknowns> x_{};
   float spread_ = 1;
-  float scale_ = 1;   ///< of sigmas in this pass
-  float misfit_ = 0;  ///< m, by which a series of low order is off all the same
+  float scale_ = 1;  ///< of sigmas in this pass
   RadiusPrior radius_;
   Spread sums_;
   std::uint8_t order_ = 1;

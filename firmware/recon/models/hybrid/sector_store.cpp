@@ -39,14 +39,12 @@ std::uint8_t packed_phase(const Cluster& cluster) {
 // Squared deviation from the cluster in units of its gate.
 float gate_share(const Cluster& cluster, float phase_angle, const Tangent& tangent, const StoreContext& context) {
   const float off = tangent.line.bound - cluster.offset - context.slope * phase_angle;
-  const float sigma = kJoinSigmas * tangent.sigma * std::max(kMinScale, context.scale);
+  const float sigma = kJoinSigmas * tangent.sigma * context.scale;
   return off * off / (sigma * sigma * (1.0F + 1.0F / std::max(1.0F, cluster.views)));
 }
 
-// True if the edge is as far out as the lower bound, within a sigma, so that the bound adds nothing. False if the edge
-// is far less certain.
+// True if the edge is as far out as the lower bound, within a sigma, so that the bound adds nothing.
 bool reaches(const Cluster& edge, float phase_angle, const Tangent& tangent, const StoreContext& context) {
-  if (edge.sigma > kUnsure * tangent.sigma) return false;
   return edge.offset + context.slope * phase_angle > tangent.line.bound - tangent.sigma;
 }
 
@@ -219,7 +217,7 @@ float standing(ConstClusters clusters, std::size_t index) {
   for (std::size_t i = first; i < first + kClustersPerSector; ++i) {
     if (clusters[i].views == 0 || whole_offset(clusters[i]) <= whole_offset(clusters[index])) continue;
     const Cluster own = unpack(clusters[index]);
-    const float enough = std::max(kOverrulingViews, kOverrulingShare * own.views);
+    const float enough = kOverrulingShare * own.views;
     const Cluster other = unpack(clusters[i]);
     if (other.views >= enough && other.offset > own.offset + 2 * own.sigma) return kOverruled;
   }

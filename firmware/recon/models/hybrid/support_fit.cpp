@@ -26,7 +26,6 @@ void SupportFit::begin_pass(float widening) {
   band_.clear();
   for (float& entry : band_.diagonal) entry = 1.0F / (kHold * kHold);
   scale_ = widening * std::sqrt(spread_);
-  misfit_ = widening > 1 ? kFirstMisfit * (widening - 1) * std::max(0.0F, size_ - kFitsAny) : 0.0F;
   sums_ = {};
   tangents_ = 0;
 }
@@ -37,12 +36,10 @@ void SupportFit::add(ConstClusters clusters, std::size_t index) {
   const auto [a, b] = kEndShares[place_in_sector(clusters[index])];
   const float residual = cluster.offset - a * offsets_[k] - b * offsets_[next(k)];
   if (cluster.lower_bound && residual <= 0) return;
-  const float sigma = with_misfit(cluster.sigma * scale_, misfit_);
-  const bool far_beyond = cluster.lower_bound && residual > kFarBeyond;
-  const float share = far_beyond ? 1.0F : inlier_share(residual, sigma);
-  const float believed = cluster.views * standing(clusters, index) * share;
+  const float sigma = cluster.sigma * scale_;
+  const float believed = cluster.views * standing(clusters, index) * inlier_share(residual, sigma);
   if (!cluster.lower_bound) {
-    sums_.add(residual / with_misfit(cluster.sigma, misfit_), believed);
+    sums_.add(residual / cluster.sigma, believed);
     ++tangents_;
   }
   const float weight = believed / (sigma * sigma);
@@ -100,8 +97,7 @@ void SupportFit::finish_pass(bool learn_spread) {
 void SupportFit::measure() {
   float sum = 0;
   for (const float offset : offsets_) sum += offset;
-  size_ = sum / static_cast<float>(kRing);
-  radius_ = std::clamp(size_, kMinRadius, kLargestSideRadius);
+  radius_ = std::clamp(sum / static_cast<float>(kRing), kMinRadius, kLargestPrior);
 }
 
 Vec2 SupportFit::center() const {

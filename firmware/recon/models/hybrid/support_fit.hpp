@@ -48,12 +48,10 @@ class SupportFit {
   CyclicBand band_;
   std::array<float, kRing> offsets_{};
   float radius_ = 0;       ///< mean support value, in a sensible range
-  float size_ = 0;         ///< as it is
   float round_side_ = 0;   ///< of a round outline, m
   float side_weight_ = 0;  ///< of the prior of a side
   float spread_ = 1;
   float scale_ = 1;
-  float misfit_ = 0;  ///< m, by which a large outline may be off as yet
   Spread sums_;
   std::uint8_t tangents_ = 0;
 };

@@ -27,17 +27,10 @@ inline constexpr float kOutgrown = 0.03F;
 inline constexpr float kGoesOn = 0.3F;
 /// share of that width by which its foot is off if it goes on straight, but aslant. Extent table.
 inline constexpr float kTilt = 0.2F;
-/// Share of the radius, beside kOutgrown, by which an end may be outside an edge before it contradicts the edge. By
-/// design: a sector of an outline.
-inline constexpr float kEndsBefore = 0.1F;
-/// share of the typical size by which the nearest point of an object is before its middle. By design.
-inline constexpr float kFrontShare = 0.8F;
 /// m, half the side of the square that outlines are cut out of. Derived: of the largest, whose origin is on its rim.
 inline constexpr float kOutlineSquare = 2 * kLargestRadius;
 /// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
 inline constexpr float kMaxInward = 0.004F;
-/// m, radius to which the sigmas of smaller outlines are compared. By design.
-inline constexpr float kSmallestRadius = 0.02F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Prototype.
 inline constexpr float kWellKnownShare = 0.4F;
 
@@ -51,26 +44,20 @@ inline constexpr float kFootSetBack = 0.02F;
 
 /// sigmas within which a tangent joins a cluster. Prototype.
 inline constexpr float kJoinSigmas = 2.5F;
-/// share down to which residuals are smaller than sigmas say. Prototype.
-inline constexpr float kMinScale = 0.35F;
 /// share of its own weight that a newcomer which agrees with nothing takes from the weaker cluster. Prototype.
 inline constexpr float kWeakening = 0.5F;
-/// Ratio of sigmas beyond which an edge does not replace a lower bound as far out. By design.
-inline constexpr float kUnsure = 3.0F;
 /// A cluster farther out by two sigmas overrules another from this share of the other's views on. More: wrong cuts
 /// stay; less: noise adds to the outline. Prototype.
 inline constexpr float kOverrulingShare = 0.35F;
-/// Minimum number of views to overrule another cluster; more and less as above. Prototype.
-inline constexpr float kOverrulingViews = 0.9F;
 /// Share of its views that an overruled cluster counts for; more and less as above. Hybrid table.
 inline constexpr float kOverruled = 0.5F;
-/// views that a cluster remembers; older ones fade. Prototype.
-inline constexpr float kMaxClusterViews = 30.0F;
+/// views that a cluster remembers; older ones fade. Derived: a byte's worth of eighths, less one view to come.
+inline constexpr float kMaxClusterViews = 255 / 8.0F - 1;
 
 // --- solvers (cyclic_band, low_order_fit) ---
 
-/// share of its own diagonal below which a pivot is rounding: float has 24 bits. By design.
-inline constexpr float kMinPivot = 2e-6F;
+/// share of its own diagonal below which a pivot is rounding. Derived: a float's, 2^-24, in half of the ring's sums.
+inline constexpr float kMinPivot = 32.0F / (1 << 24);
 
 // --- the series of low order (low_order_fit) ---
 
@@ -78,26 +65,18 @@ inline constexpr float kMinPivot = 2e-6F;
 inline constexpr float kCenterSigma = 2.0F;
 /// of r / (m^2 - 1), the prior of order m. Measured on circles and on paths.
 inline constexpr float kShapeShare = 0.7F;
-/// m, smallest radius that scales the priors of the higher orders. By design.
+/// m, smallest radius that scales priors, and with which sigmas are compared. By design.
 inline constexpr float kMinRadius = 0.015F;
-/// m, largest radius that scales them. By design.
+/// m, largest radius that scales priors: of the higher orders, and of sides. By design.
 inline constexpr float kLargestPrior = 0.4F;
 
 // --- what is large (both fits) ---
 
 /// m, radius up to which a series of low order is off by no more than tangents are.
 inline constexpr float kFitsAny = 0.2F;
-/// Misfit of a series, as a share of the radius beyond kFitsAny.
-inline constexpr float kMisfit = 0.1F;
-/// The same for polygons, for each unit of widening above one, in the passes that narrow down.
-inline constexpr float kFirstMisfit = 0.04F;
-/// m. Lower bounds this far outside the fit are always treated as inliers: no noise adds as much.
-inline constexpr float kFarBeyond = 0.2F;
 
 // --- the polygon (support_fit) ---
 
-/// m, largest radius that scales sides. By design.
-inline constexpr float kLargestSideRadius = 0.35F;
 /// A side is known to kSideSigma r sqrt(D) before anything is seen, where tangents come from all around. Hybrid table.
 inline constexpr float kSideSigma = 1.8F;
 /// Share of kSideSigma that each tangent adds: an outline seen from one side is rather as objects are. Hybrid table.
@@ -126,8 +105,8 @@ inline constexpr std::span<const float, kLowOrderPasses.size() - 1> kSupportPass
 inline constexpr std::size_t kPolygonalFrom = 2;
 /// The spread is learnt in passes no wider than this. Derived: of those in which sides are weighed.
 inline constexpr float kLearningWidening = kSupportPasses[kPolygonalFrom];
-/// Tangents from which on the spread is learnt. Hybrid table.
-inline constexpr std::uint8_t kTangentsForSpread = 7;
+/// Tangents from which on the spread is learnt. Derived: as many as a series of order 3 has unknowns.
+inline constexpr std::uint8_t kTangentsForSpread = 1 + 2 * 3;
 /// Factor on variances with which a fit begins: twice the sigmas, for the accuracy of camera and wheels is unknown.
 /// Sigmas that are too small cost far more than those that are too large. Hybrid table.
 inline constexpr float kFirstSpread = 4.0F;

@@ -432,8 +432,8 @@ TEST(Guard, OfBlobsThatAreAlmostWhereOthersWere) {
       stands_since = t;
     }
   }
-  expect_said(sweep, {"points 9083 ed50a361", "x 70410 bce00ed4", "y 70415 55d3012a", "frames 70419 a7b9db58",
-                      "doubt 29728 3904ae64", "seen 70342 348e8287", "signature 70419 12526541"});
+  expect_said(sweep, {"points 9083 095d057d", "x 70409 40f5be11", "y 70414 ee5ae76e", "frames 70418 3c7f127d",
+                      "doubt 29687 7c458f21", "seen 70341 4b64c922", "signature 70418 dc12128d"});
 }
 
 // Its frame of reference stays while the robot is within 8 m of it, that included, in each direction.

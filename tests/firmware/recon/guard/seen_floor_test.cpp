@@ -181,7 +181,7 @@ TEST(SeenFloor, OfEachCellAndRay) {
       if (draw.coin()) pose.heading = draw.of({0, 1'570'796, -1'570'796, 3'141'592, 400'000});
     }
   }
-  expect_said(sweep, {"seen 107365 d56898e0", "along 416 f92dc7e7"});
+  expect_said(sweep, {"seen 106498 90d0e3aa", "along 416 3527de8d"});
 }
 
 TEST(FloorFrame, NearestWholeIsHalfAwayFromZeroAndKeptWithinItsLimit) {

@@ -621,7 +621,7 @@ TEST(LandmarkFilter, OfEquationsOnALattice) {
     }
   }
   expect_said(sweep, {"fate 2664 45430b33", "state 7500 96fac079", "x 7200 fa90816f", "y 6926 efa1f3f9",
-                      "heading 7208 37952e88", "gauge 35272 289e0c80", "sigma 7500 83f94704", "distance 6294 5ae16bba",
+                      "heading 7208 37952e88", "gauge 35272 ac31440d", "sigma 7500 83f94704", "distance 6294 5ae16bba",
                       "expected 7500 20246328"});
 }
 

@@ -260,8 +260,8 @@ TEST(LensCheck, OfTurnsThatAreItsBounds) {
     check.clear();
     sweep.tell("cleared", check.wrong());
   }
-  expect_said(sweep, {"digest 9600 11f80d8a", "wrong 703 28043e5e", "error 703 580feb4a",
-                      "configured over true 9600 27728179", "cleared 0 818c1c65"});
+  expect_said(sweep, {"digest 9600 f3b1fb96", "wrong 703 28043e5e", "error 703 09aa2d59",
+                      "configured over true 9600 ce50bdbb", "cleared 0 818c1c65"});
 }
 
 /// Looks at one object a metre ahead while the robot turns on, 0.075 rad a frame of 0.1 s.

@@ -396,8 +396,8 @@ TEST(Cylinder, OfViewsFromALattice) {
       sweep.tell("bearings", static_cast<std::uint32_t>(hash.value()));
     }
   }
-  expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 a628e528", "refusal 745 969ab905", "whole 401 11075e9d",
-                      "rows 1778 a416d5d7", "sigma 2855 ad362711", "bearings 1200 a7446894"});
+  expect_said(sweep, {"prior 3600 1b9f8997", "digest 3600 1667d316", "refusal 745 969ab905", "whole 401 11075e9d",
+                      "rows 1778 a416d5d7", "sigma 2855 2558e8e8", "bearings 1200 22157584"});
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST(FloorCamera, AgreesWithTheCameraModel) {
 TEST(FloorCamera, KnowsWhatItMustSee) {
   const FloorCamera floor = floor_of(pixy());
   EXPECT_NEAR(floor.nearest_visible(), 342, 2);
-  EXPECT_NEAR(floor.leftmost_visible() / double{kSlopeOne}, (157.5 - recon::kSidePixels) / 273.6, 2e-3);
-  EXPECT_NEAR(floor.rightmost_visible() / double{kSlopeOne}, (157.5 - 315 + recon::kSidePixels) / 273.6, 2e-3);
+  EXPECT_NEAR(floor.leftmost_visible() / double{kSlopeOne}, (157.5 - recon::kTouchPixels) / 273.6, 2e-3);
+  EXPECT_NEAR(floor.rightmost_visible() / double{kSlopeOne}, (157.5 - 315 + recon::kTouchPixels) / 273.6, 2e-3);
 }
 
 // At 0.5 m a row is 0.25 / (273.6 * 0.12) m = 7.6 mm, a column 500 / 273.6 mm.
@@ -178,7 +178,7 @@ TEST(FloorCamera, OfEachPointOfTheImage) {
       }
     }
   }
-  expect_said(sweep, {"nearest 30 97ebfbac", "leftmost 24 fe10ff9f", "rightmost 24 e91336d5", "row 30 202d3456",
+  expect_said(sweep, {"nearest 30 97ebfbac", "leftmost 24 edeef6fe", "rightmost 24 95a66e92", "row 30 202d3456",
                       "column 30 e8309129", "depth 7373 a20f9f04", "slope 12224 affad90d", "pair 12223 acd0ddd2"});
 }
 

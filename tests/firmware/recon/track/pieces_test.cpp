@@ -229,15 +229,15 @@ TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
   recon::Observation far = near;
   far.box.y2 = 60;
   recon::ObjectCore object;
-  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 1 ? near : far, false, 1);
+  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 1 ? near : far, false);
   EXPECT_FALSE(object.contradicted()) << "the robot moves";
-  recon::compare_foot(object, near, true, 1);
-  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 9 == 8 ? near : far, true, 1);
+  recon::compare_foot(object, near, true);
+  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 9 == 8 ? near : far, true);
   EXPECT_FALSE(object.contradicted()) << "pieces were lost, and it was seen as it was";
-  recon::compare_foot(object, near, true, 1);
-  for (int i = 0; i < 9; ++i) recon::compare_foot(object, far, true, 1);
+  recon::compare_foot(object, near, true);
+  for (int i = 0; i < 9; ++i) recon::compare_foot(object, far, true);
   EXPECT_FALSE(object.contradicted());
-  recon::compare_foot(object, far, true, 1);
+  recon::compare_foot(object, far, true);
   EXPECT_TRUE(object.contradicted()) << "something else is there now";
 }
 

@@ -272,7 +272,7 @@ TEST(SectorStore, OfTangentsOnALattice) {
     move_origin(store, {draw.of({0, 100, -32'767, 32'767}), draw.of({0, -100, 7, 1'250})});
     tell_clusters(sweep, store);
   }
-  expect_said(sweep, {"clusters 10000 73e0809d", "standing 38400 d26b9653", "edge 3932 d104fd96"});
+  expect_said(sweep, {"clusters 10000 b2540c30", "standing 38400 116a66f5", "edge 3932 d104fd96"});
 }
 
 TEST(SectorStore, OfNumbersThatAreItsBounds) {
