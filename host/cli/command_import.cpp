@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
@@ -11,12 +13,20 @@
 #include "host/import/import.hpp"
 
 namespace fencepost::host::cli {
+namespace {
+
+std::string counted(std::uint64_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
 
 Exit finish_import(const ImportResult& imported, const std::string& output) {
   if (!imported.ok()) throw Failure(Exit::kUnreadable, imported.error().message());
   write_output(output, imported->log);
   const ImportSummary& summary = imported->summary;
-  say(fmt::format("{} frames with {} blobs, {} odometry samples", summary.frames, summary.blobs, summary.odometry));
+  say(fmt::format("{} with {}, {}", counted(summary.frames, "frame"), counted(summary.blobs, "blob"),
+                  counted(summary.odometry, "odometry sample")));
   for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} {}", count, what));
   for (const std::string& note : summary.notes) say(note);
   return Exit::kDone;

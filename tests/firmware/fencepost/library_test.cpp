@@ -129,7 +129,7 @@ TYPED_TEST(LibraryOfSize, TellsOfTheBoxAheadAndStops) {
   EXPECT_EQ(this->core_->level(), Level::kStop);
   EXPECT_FALSE(this->core_->may_drive(played.last));
 
-  // The robot's origin is at x = 1.6 m then, the box's middle at (1.86, 0): tests/README.md.
+  // The robot's origin is at x = 1.6 m then, the box's middle at (1.86, 0): host/share/recordings/stop_pixy2.json.
   Object object;
   ASSERT_EQ(this->core_->objects(&object, 1), 1U);
   EXPECT_TRUE(object.confirmed);

@@ -33,6 +33,16 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
   EXPECT_TRUE(holds(map.out, "signature1 confirmed"));
 }
 
+TEST(ImportCommand, OneOfAThingIsNamedAsOne) {
+  spill("monitor.txt",
+        "12:00:00.000 -> Detected 1\n"
+        "12:00:00.000 ->   block 0: sig: 1 x: 89 y: 90 width: 14 height: 40 index: 1 age: 0\n");
+  spill("poses.csv", "t,x,y,heading\n43200,0,0,0\n");
+  const Outcome run = shell("fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "1 frame with 1 blob, 1 odometry sample\n");
+}
+
 TEST(ImportCommand, SaysWhatIsMissing) {
   spill("b.csv", "t,x,y,w,h\n1,2,3,4,5\n");
   const Outcome blind = shell("fencepost import csv b.csv");

@@ -97,7 +97,7 @@ class Replay(unittest.TestCase):
         run = fencepost.replay(fencepost.recording("stop_pixy2.log"))
         (thing,) = run.objects
         self.assertEqual((thing.name, thing.state), ("red", "confirmed"))
-        self.assertLess(math.hypot(thing.x - 1.86, thing.y), 0.05)  # the box's middle: tests/README.md
+        self.assertLess(math.hypot(thing.x - 1.86, thing.y), 0.05)  # the box's middle: stop_pixy2.json
         self.assertGreater(len(thing.outline), 3)
         self.assertLess(max(math.hypot(x - thing.x, y - thing.y) for x, y in thing.outline), 0.2)
         self.assertEqual((run.alerts[-1].level, run.alerts[-1].signature), ("stop", 1))
