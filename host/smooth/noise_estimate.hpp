@@ -1,6 +1,8 @@
 // How much the odometry of a log strays and how noisy its image is, by a path that is known better.
 #pragma once
 
+#include "host/calibrate/residuals.hpp"
+
 namespace fencepost::host {
 
 /// In units of good wheels (calibration::stray).

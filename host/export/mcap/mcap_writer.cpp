@@ -3,6 +3,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "host/export/mcap/packed_chunk.hpp"
 
