@@ -136,7 +136,8 @@ std::vector<SceneSignature> read_signatures(const JsonNode& node, std::size_t le
   std::vector<SceneSignature> signatures;
   for (std::size_t i = 0; i < node.size(least, "signatures"); ++i) {
     const SceneSignature read = read_signature(node.at(i));
-    if (std::ranges::find(signatures, read.id, &SceneSignature::id) != signatures.end()) {
+    const auto is_it = [&](const SceneSignature& other) { return other.id == read.id; };
+    if (std::any_of(signatures.begin(), signatures.end(), is_it)) {
       node.at(i).at("id").fail("signature " + std::to_string(read.id) + " is there twice",
                                "give each signature an id of its own");
     }
