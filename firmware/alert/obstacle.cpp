@@ -45,18 +45,23 @@ bool touches(const SweptByBody& swept, const recon::ObjectCore& object, const Ve
   return swept.touches(center, radius - margin) || !object.cylinder.rows_put_farther(lens);
 }
 
-// `center`: of the outline, robot frame. In steps that no path of the robot's width passes between.
-bool touches(const SweptByBody& swept, const recon::OutlineView& outline, const Vec2& center, const RobotPlace& robot) {
+// `center`: of the outline, robot frame. From the nearest side on, for it is the likeliest, in steps that no path of
+// the robot's width passes between.
+bool touches(const SweptByBody& swept, const recon::OutlineView& outline, const Vec2& center, const RobotPlace& robot,
+             std::size_t nearest) {
   const std::size_t sides = outline.offsets.size();
-  Vec2 corner = center + robot.see(outline.corner(sides - 1));
-  for (std::size_t k = 0; k < sides; ++k) {
-    const Vec2 next = center + robot.see(outline.corner(k));
-    const Vec2 side = next - corner;
-    const float pieces = std::ceil(side.norm() / swept.path().half_width);
-    for (float i = 0; i < pieces; ++i) {
-      if (swept.touches(corner + i / pieces * side, 0)) return true;
+  const auto corner = [&](std::size_t k) { return Vec2(center + robot.see(outline.corner(k % sides))); };
+  const float per_metre = 1 / swept.path().half_width;
+  Vec2 from = corner(nearest + sides - 1);
+  for (std::size_t k = nearest; k < nearest + sides; ++k) {
+    const Vec2 to = corner(k);
+    const Vec2 side = to - from;
+    const int pieces = 1 + static_cast<int>(per_metre * (std::fabs(side.x()) + std::fabs(side.y())));
+    const Vec2 step = side / static_cast<float>(pieces);
+    for (int i = 0; i < pieces; ++i, from += step) {
+      if (swept.touches(from, 0)) return true;
     }
-    corner = next;
+    from = to;
   }
   return false;
 }
@@ -108,7 +113,7 @@ void measure_by_outline(const recon::PlacedOutline& outline, const RobotPlace& r
   obstacle.distance = std::max(0.0F, distance);
   if (obstacle.in_path) {
     obstacle.in_path->sigma = outline.view.sigma(nearest);
-    if (distance > 0 && !touches(swept, outline.view, robot.see(center), robot)) obstacle.in_path.reset();
+    if (distance > 0 && !touches(swept, outline.view, robot.see(center), robot, nearest)) obstacle.in_path.reset();
   }
   set_time_to_contact(swept.path(), obstacle);
 }
