@@ -55,7 +55,7 @@ class Map {
       return correction_.place_of(object, slot, look);
     };
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
-    guard_.look(frame, camera, by_odometry, standing_.since(), known_feet(lens));
+    look_out(frame, camera, by_odometry, lens);
     matcher_.observe(frame, camera, table_.objects());
     matcher_.tell_widths(width_of);
     outcome.matched = matcher_.match(table_.ids().cost());
@@ -106,8 +106,9 @@ class Map {
   [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return matcher_.blob_of(slot); }
 
  private:
-  // Of things that the guard can see and the map knows whole.
-  [[nodiscard]] guard::KnownFeet known_feet(const LensPose& lens) const {
+  // `lens`: by the map. Of the things that it knows whole, the guard is told how wide their feet can be.
+  [[gnu::noinline]] void look_out(const WaitingFrame& frame, const CameraModel& camera, const LensPose& by_odometry,
+                                  const LensPose& lens) {
     constexpr float kReach = 0.001F * guard::kForgotten;
     guard::KnownFeet feet;
     for (std::size_t o = 0; o < Profile::kObjects; ++o) {
@@ -118,12 +119,14 @@ class Map {
       if (!cylinder.ok() || !object.cylinder.known_whole()) continue;
       const Vec2 center = to_camera(lens, cylinder.center - lens.lens_from(object.origin));
       const float along = cylinder.radius + kUsualSigmas * cylinder.outline_sigma();
-      const auto millimetres = [](float metres) { return nearest_whole(kMillimetresPerMetre * metres); };
+      const auto millimetres = [](float metres) {
+        return static_cast<std::int16_t>(nearest_whole(kMillimetresPerMetre * metres, INT16_MAX));
+      };
       static_cast<void>(feet.push_back({millimetres(center.x() - along), millimetres(center.x() + along),
                                         millimetres(center.y() + cylinder.radius),
                                         millimetres(center.y() - cylinder.radius), object.signature}));
     }
-    return feet;
+    guard_.look(frame, camera, by_odometry, standing_.since(), feet);
   }
 
   [[gnu::noinline]] void chain_digest(const WaitingFrame& frame, const MapPose& pose) {

@@ -75,10 +75,12 @@ struct FootLine {
   std::int32_t farthest = 0;
   std::int32_t left = 0;  // slopes of the ends, with the edges' slack
   std::int32_t right = 0;
-  std::int32_t line = 0;       // mm: depth at which new points are put,
-  std::int32_t line_left = 0;  // and from where to where
+  std::int32_t line_left = 0;  // mm: new points are put from here
   std::int32_t line_right = 0;
   Cells wanted;  // of the line, without a point
+
+  // The depth at which new points are put.
+  [[nodiscard]] std::int32_t line() const { return cut ? (depth * kUnseenFoot) >> 4 : depth; }
 
   // True if the place is in the blob's columns, or no more than `beside` mm from them.
   [[nodiscard]] bool covers(const Place& place, std::int32_t beside = 0) const {
@@ -113,8 +115,8 @@ void keep_within(const KnownFeet& known, std::int32_t gate, std::int32_t left_sl
     const std::int32_t most = times(left_slope > 0 ? thing.farthest : thing.nearest, left_slope);
     const std::int32_t least = times(right_slope < 0 ? thing.farthest : thing.nearest, right_slope);
     if (most < thing.right || least > thing.left) continue;
-    left = std::max(left, thing.left);
-    right = std::min(right, thing.right);
+    left = std::max<std::int32_t>(left, thing.left);
+    right = std::min<std::int32_t>(right, thing.right);
   }
   if (right > left) return;
   foot.line_left = std::min(foot.line_left, left);
@@ -141,12 +143,10 @@ FootLine foot_line(const CameraModel& camera, const WaitingBlob& blob, const Kno
   const std::int32_t support = kSupportSlack + ((kSupportRows * row) >> 2);
   foot.nearest = foot.cut ? 0 : foot.depth - support;
   foot.farthest = foot.depth + support;
-  foot.line = foot.depth;
-  if (foot.cut) foot.line = (foot.depth * kUnseenFoot) >> 4;
   if (foot.depth > kFarthest || foot.moves) return foot;
   const std::int32_t beyond = foot.cut ? 0 : kBeyondSide;
-  foot.line_left = times(foot.line, left.slope) + (sides.left ? beyond : 0);
-  foot.line_right = times(foot.line, right.slope) - (sides.right ? beyond : 0);
+  foot.line_left = times(foot.line(), left.slope) + (sides.left ? beyond : 0);
+  foot.line_right = times(foot.line(), right.slope) - (sides.right ? beyond : 0);
   keep_within(known, support, left.slope, right.slope, foot);
   if (foot.line_right <= foot.line_left) foot.wanted.add(foot.line_right, foot.line_left);
   return foot;
@@ -186,7 +186,7 @@ class Judgement {
     if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth >> kCutReachLog2) ||
         !foot.covers(place, kSpacing))
       return;
-    const std::int32_t left = place.left * foot.line / place.depth;  // in the same columns, at the line's depth
+    const std::int32_t left = place.left * foot.line() / place.depth;  // in the same columns, at the line's depth
     foot.wanted.remove(left - kSpacing, left + kSpacing);
   }
 
@@ -295,7 +295,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
   for (FootLine& foot : feet) {
     while (!foot.wanted.empty()) {
       const std::int32_t left = std::clamp(foot.wanted.take(), foot.line_right, foot.line_left);
-      const Place place{foot.line, left};
+      const Place place{foot.line(), left};
       Front front;
       lens.put(place, front);
       front.frames = bit;

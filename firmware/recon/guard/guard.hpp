@@ -24,14 +24,14 @@ namespace fencepost::recon::guard {
 
 /// Where the foot of a thing of the map can be: the lens's frame, mm.
 struct KnownFoot {
-  std::int32_t nearest = 0;   ///< least depth
-  std::int32_t farthest = 0;  ///< greatest depth
-  std::int32_t left = 0;      ///< its ends to the side
-  std::int32_t right = 0;
+  std::int16_t nearest = 0;   ///< least depth
+  std::int16_t farthest = 0;  ///< greatest depth
+  std::int16_t left = 0;      ///< its ends to the side
+  std::int16_t right = 0;
   std::uint8_t signature = 0;
 };
 /// By design; what is known of more is not used.
-using KnownFeet = base::FixedVector<KnownFoot, 16>;
+using KnownFeet = base::FixedVector<KnownFoot, 8>;
 
 /// The same for all capacities.
 class GuardCore {

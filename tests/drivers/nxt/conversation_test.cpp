@@ -54,8 +54,7 @@ struct NxtConversation : testing::Test {
 };
 
 TEST_F(NxtConversation, GreetsKeepsAwakeAndReadsTheBattery) {
-  EXPECT_EQ(bench.conversation.link(), LinkState::kSilent);
-  bench.greet();
+  EXPECT_EQ(TalkBench().conversation.link(), LinkState::kSilent);
   EXPECT_EQ(bench.conversation.link(), LinkState::kOk);
   EXPECT_EQ(bench.conversation.version(), (Version{1, 124, 1, 29}));
   EXPECT_EQ(bench.conversation.battery_millivolts(), 7800);
