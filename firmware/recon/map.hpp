@@ -106,7 +106,7 @@ class Map {
   [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return matcher_.blob_of(slot); }
 
  private:
-  // `lens`: by the map. Of the things that it knows whole, the guard is told how wide their feet can be.
+  // `lens`: by the map, which tells the guard how wide the feet of the things can be that it knows whole.
   [[gnu::noinline]] void look_out(const WaitingFrame& frame, const CameraModel& camera, const LensPose& by_odometry,
                                   const LensPose& lens) {
     constexpr float kReach = 0.001F * guard::kForgotten;
