@@ -38,11 +38,11 @@ float sigma_of(const recon::CylinderEstimate& cylinder, const Vec2& away, float 
 
 // A thing that approaches by itself is farther than its edges say, and passes farther aside. A thing on a base is where
 // they say. So the margin is not for what rows put farther: only contact with the body counts.
-bool touches(const SweptByBody& swept, const recon::ObjectCore& object, const Vec2& center, const Vec2& lens) {
+bool touches(const SweptByBody& swept, const recon::ObjectCore& object, const Vec2& center) {
   const float radius = object.cylinder.estimate().radius;
   if (!swept.touches(center, radius)) return false;
   const float margin = swept.path().half_width - swept.path().body_radius;
-  return swept.touches(center, radius - margin) || !object.cylinder.rows_put_farther(lens);
+  return swept.touches(center, radius - margin) || !object.cylinder.rows_put_farther();
 }
 
 // `center`: of the outline, robot frame. From the nearest side on, for it is the likeliest, in steps that no path of
@@ -88,8 +88,7 @@ void set_closing(const RobotPath& path, Obstacle& obstacle) { set_closing(path, 
 Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, const SweptByBody& swept) {
   const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
   if (!cylinder.ok()) return {};
-  const Vec2 lens = recon::offset_from(object.origin, robot.position);  // nearly
-  const Vec2 away = cylinder.center - lens;
+  const Vec2 away = cylinder.center - recon::offset_from(object.origin, robot.position);
   const Vec2 center = robot.see(away);
   const float range = center.norm();
   Obstacle obstacle;
@@ -99,7 +98,7 @@ Obstacle see_obstacle(const recon::ObjectCore& object, const RobotPlace& robot, 
   obstacle.cut_off = object.cut_off();
   obstacle.guessed = !object.cylinder.known_whole();
   obstacle.overhang = swept.overhang(center);
-  if (touches(swept, object, center, lens)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
+  if (touches(swept, object, center)) obstacle.in_path = InPath{sigma_of(cylinder, away, range)};
   set_closing(swept.path(), range, obstacle);
   return obstacle;
 }

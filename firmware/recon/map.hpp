@@ -111,7 +111,7 @@ class Map {
                                   const LensPose& lens) {
     constexpr float kReach = 0.001F * guard::kForgotten;
     guard::KnownFeet feet;
-    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+    for (std::size_t o = 0; camera.floor.usable() && o < Profile::kObjects; ++o) {
       const ObjectType& object = slots()[o];
       const float depth = matcher_.prediction(o).depth;  // 0: it has no place
       if (!(depth > 0 && depth < kReach) || !object.confirmed || object.moving) continue;

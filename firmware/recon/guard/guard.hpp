@@ -30,7 +30,7 @@ struct KnownFoot {
   std::int16_t right = 0;
   std::uint8_t signature = 0;
 };
-/// By design; what is known of more is not used.
+/// Of at most eight things, by design: they are on the stack. Of further ones the guard knows nothing.
 using KnownFeet = base::FixedVector<KnownFoot, 8>;
 
 /// The same for all capacities.

@@ -285,9 +285,9 @@ CylinderEstimate Cylinder::solve(const Vec2& lens, const MeasurementNoise& noise
   return estimate;
 }
 
-bool Cylinder::rows_put_farther(const Vec2& lens) const {
+bool Cylinder::rows_put_farther() const {
   const NormalEquations rows = independent_rows();
-  const CylinderEstimate from_edges = by_edges(lens);
+  const CylinderEstimate from_edges = by_edges({0, 0});  // only the refusal depends on the lens
   if (!(rows.information.rr > 0 && from_edges.covariance.xx > 0)) return false;
   return farther_by(rows, from_edges) > kGateSigmas;
 }

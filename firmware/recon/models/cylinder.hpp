@@ -107,8 +107,8 @@ class Cylinder {
   /// Its rows put it farther than its edges do, by more than kGateSigmas. It approaches by itself, or its foot is above
   /// the floor, or the pitch is wrong: one camera cannot tell which.
   [[nodiscard]] bool rows_beyond_edges() const { return rows_beyond_edges_; }
-  /// The same where noise may have feigned the edges' distance. `lens` as in solve().
-  [[nodiscard]] bool rows_put_farther(const Vec2& lens) const;
+  /// The same where noise may have feigned the edges' distance.
+  [[nodiscard]] bool rows_put_farther() const;
   /// m; 0: not configured.
   [[nodiscard]] float known_radius() const { return known_radius_; }
   [[nodiscard]] std::uint8_t first_views() const { return views_; }

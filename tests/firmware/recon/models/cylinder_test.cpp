@@ -218,7 +218,7 @@ TEST(Cylinder, RowsAreBeyondTheEdgesOfAThingThatComes) {
       add(cylinder, s);
     }
     EXPECT_EQ(cylinder.rows_beyond_edges(), c.beyond);
-    EXPECT_EQ(cylinder.rows_put_farther({static_cast<float>(c.drives * 0.03 * 35), 0}), c.beyond);
+    EXPECT_EQ(cylinder.rows_put_farther(), c.beyond);
   }
 }
 
@@ -231,7 +231,7 @@ TEST(Cylinder, RowsPutAThingFartherBeforeTheEdgesSurelyKnow) {
     s.axis = unit(0);
     stand_on_floor(s, center.x - kRadius - driven);
     add(cylinder, s);
-    return cylinder.rows_put_farther({static_cast<float>(driven), 0});
+    return cylinder.rows_put_farther();
   };
   EXPECT_FALSE(see(0, 1));
   int early = 0;
