@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <memory>
 #include <numbers>
-#include <string>
 
 #include "host/cli/command.hpp"
 #include "host/cli/files.hpp"
@@ -11,22 +9,16 @@
 #include "host/cli/lab.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/import/import.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
-namespace {
-
-std::string counted(std::uint64_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 Exit finish_import(const ImportResult& imported, const std::string& output) {
   if (!imported.ok()) throw Failure(Exit::kUnreadable, imported.error().message());
   write_output(output, imported->log);
   const ImportSummary& summary = imported->summary;
-  say(fmt::format("{} with {}, {}", counted(summary.frames, "frame"), counted(summary.blobs, "blob"),
-                  counted(summary.odometry, "odometry sample")));
+  say(fmt::format("{} with {}, {}", plural(summary.frames, "frame"), plural(summary.blobs, "blob"),
+                  plural(summary.odometry, "odometry sample")));
   for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} {}", count, what));
   for (const std::string& note : summary.notes) say(note);
   return Exit::kDone;

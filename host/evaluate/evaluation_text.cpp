@@ -4,16 +4,13 @@
 
 #include <algorithm>
 
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
 namespace {
 
 constexpr std::size_t kColumns = 6;  ///< cells of a row; more do not fit into 80 columns
-
-std::string plural(std::uint64_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string swaps_text(const std::optional<std::uint64_t>& swaps) {
   return swaps ? plural(*swaps, "identity swap") : "identity swaps not known";
