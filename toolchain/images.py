@@ -138,6 +138,11 @@ def page_of(name):
     return "START_HERE" if name.name == pathlib.Path(DOCUMENT).name else name.stem
 
 
+def with_pages(text):
+    """Its links, to pages of a release."""
+    return PAGE.sub(lambda match: f"{match.group(1)}{page_of(match.group(2))}.html)", text)
+
+
 def add_guide(source, out, version):
     """The guide to a first alert as a page, with the pictures that it shows, the pages that it links and the examples."""
     text = (source / GUIDE).read_text(encoding="utf-8")
@@ -148,7 +153,7 @@ def add_guide(source, out, version):
         if page_of(name) != "START_HERE":
             linked = ((source / GUIDE).parent / name).read_text(encoding="utf-8")
             (out / f"{page_of(name)}.html").write_text(to_html(linked), encoding="utf-8")
-    text = PAGE.sub(lambda match: f"{match.group(1)}{page_of(match.group(2))}.html)", text)
+    text = with_pages(text)
     (out / "FIRST_ALERT.html").write_text(to_html(text.replace("VERSION", version)), encoding="utf-8")
     shutil.copytree(source / EXAMPLES, out / "examples")
 
@@ -184,7 +189,7 @@ def make(source, build_folder, out, version, builder=build):
         builder(source, build_folder / board, board)
         collected[board] = collect(build_folder / board, out, board, version)
     text = (source / DOCUMENT).read_text(encoding="utf-8")
-    (out / "START_HERE.html").write_text(to_html(page(text, version, collected)), encoding="utf-8")
+    (out / "START_HERE.html").write_text(to_html(with_pages(page(text, version, collected))), encoding="utf-8")
     add_guide(source, out, version)
     add_page(source, out, collected, version)
     add_sums(out)

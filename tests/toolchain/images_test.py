@@ -71,6 +71,16 @@ class Boards(unittest.TestCase):
             self.assertTrue(never[board]["never tried"], board)
 
 
+    def test_a_release_has_each_page_that_it_links(self):
+        guide = (TOP / images.GUIDE).read_text(encoding="utf-8")
+        there = {images.page_of(name) for _, name in images.PAGE.findall(guide)} | {"FIRST_ALERT", "START_HERE"}
+        for text in (TEXT, guide):
+            linked = images.PAGE.findall(text)
+            self.assertTrue(linked)
+            self.assertEqual(len(linked), len(re.findall(r"(?<!!)\[[^\]]+\]\((?!http)", text)), "a link that no page of a release answers")
+            self.assertLessEqual({images.page_of(name) for _, name in linked}, there)
+
+
 class Images(Planted):
     def setUp(self):
         super().setUp()

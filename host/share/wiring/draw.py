@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""usage: draw.py FOLDER [PINS.md]
+"""usage: draw.py FOLDER [pins.md]
 
-Draws the wirings of firmware/FIRST_ALERT.md: FOLDER/wiring_*.svg. The boards' pins are those of hal/boards/PINS.md.
+Draws the wirings of firmware/FIRST_ALERT.md: FOLDER/wiring_*.svg. The boards' pins are those of host/share/doc/pins.md.
 """
 
 import html
@@ -19,7 +19,7 @@ COLOURS = {"ground": "#222222", "5 V": "#c62828", "3.3 V": "#ef6c00", "there": "
 
 
 def pins_of(text):
-    """{board: {signal: (name, the rest)}}: the tables of PINS.md, whose cells are `name, where` or `where, name`."""
+    """{board: {signal: (name, the rest)}}: the tables of pins.md, whose cells are `name, where` or `where, name`."""
     boards = {}
     columns = []
     for line in text.splitlines():
@@ -223,7 +223,7 @@ def draw(pins):
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__.strip())
-    pins = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else TOP / "hal/boards/PINS.md"
+    pins = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else TOP / "host/share/doc/pins.md"
     for name, text in draw(pins_of(pins.read_text(encoding="utf-8"))).items():
         (pathlib.Path(sys.argv[1]) / name).write_text(text, encoding="utf-8")
 

@@ -21,7 +21,7 @@ struct PinUse {
   std::string group = {};
 };
 
-/// hal/boards/PINS.md has this line of a table.
+/// host/share/doc/pins.md has this line of a table.
 bool document_has(const std::string& row);
 
 class PinTable {

@@ -1,7 +1,6 @@
-"""Facts of each device, from the tables of PAGES (the catalogue wrote them), of PINS.md (the boards') and of firmware/config/devices.hpp."""
+"""Facts of each device, from the tables of PAGES (the catalogue wrote them) and from firmware/config."""
 
 import re
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -100,15 +99,6 @@ def lowest_address(sources, board):
         return 0
     text = (sources / "hal/boards/pico/board.hpp").read_text(encoding="utf-8")
     return int(re.search(r"kLowestAddress = (\d+);", text).group(1))
-
-
-def pins_of(sources):
-    sys.path.insert(0, str(sources / "host/share/wiring"))
-    import draw
-
-    pins = draw.pins_of((sources / "hal/boards/PINS.md").read_text(encoding="utf-8"))
-    assert set(pins) == set(BOARDS), f"PINS.md has other boards than BOARDS: {sorted(set(pins) ^ set(BOARDS))}"
-    return {board: pins[board] for board in BOARDS}
 
 
 def page_of(sources, device):

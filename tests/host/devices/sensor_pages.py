@@ -1,9 +1,8 @@
 """usage: sensor_pages.py SOURCES [--write]
 
 The pages of host/share/doc/sensors, one a device. The text between `<!--NAME-->` and `<!--end-->` is made of the
-catalogue's and the boards' tables (device_facts.py); the rest is written by hand. So is the table of all boards' wires in
-host/share/doc/boards.md. Compares; with --write it renews those parts and the scenes beside the pages. Exit status 1 if
-something differs, or a device has no page.
+catalogue's tables (device_facts.py); the rest is written by hand. Compares; with --write it renews those parts and the
+scenes beside the pages. Exit status 1 if something differs, or a device has no page.
 """
 
 import json
@@ -12,7 +11,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-from device_facts import Device, devices_of, lowest_address, page_of, pins_of
+from device_facts import BOARDS, Device, devices_of, lowest_address, page_of
 
 SECTIONS = ("facts", "wires", "run", "wrong")
 BY_HAND = ("## Set it up", "## Traps")
@@ -34,18 +33,12 @@ OWN_LINE = {
     "records": "the other controller's USB port, `/dev/ttyACM0`; or a USB serial adapter, RX to its TX",
 }
 PICTURES = ("/dev/videoN", "FILM.y4m")  # where a camera gets its colours from us
-BOARDS_PAGE, WIRES_OF_BOARDS = "host/share/doc/boards.md", "wires"
 
 
 def paragraph(text, indent=""):
     """Lines of at most 120 columns, with what stands in backticks on one of them."""
     whole = re.sub(r"`[^`]*`", lambda match: match.group().replace(" ", "\0"), text)
     return textwrap.fill(whole, 120, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
-
-
-def table(rows):
-    head, *rest = rows
-    return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *("| " + " | ".join(row) + " |" for row in rest)])
 
 
 def kind(device):
@@ -65,72 +58,41 @@ def shown_place(device, place):
     return f"{shown},baud={speeds[0]}" if other else shown
 
 
-def facts(device, _pins, _sources):
+def facts(device, _sources):
     lines = [f"- It reports {device.tells}."] if device.tells else []
     if device.lens:
         image, across, focal, lens, latency, source = device.lens
-        lines.append(f"- Lens: {across} across {image} px, focal length {focal} px, {lens.split(',')[0]}, latency {latency}. {source[0].upper()}{source[1:]}.")
+        width = f"{across} across" if image in device.tells else f"{across} across {image} px"
+        focal = focal.split(" x ")[0] if len(set(focal.split(" x "))) == 1 else focal
+        other = "" if lens.startswith("pinhole") else f", {lens.split(',')[0]}"
+        lines.append(f"- Lens: {width}, focal length {focal} px{other}, latency {latency}. {source[0].upper()}{source[1:]}.")
     lines += [f"- Option {option}." for option in device.options]
     return "\n".join(paragraph(line, "  ") for line in lines)
 
 
-def pin(cell):
-    return ", ".join(part for part in cell if part)
-
-
-def line_pins(names, line):
-    return f"{pin(names[f'{line} receives'])}; {pin(names[f'{line} sends'])}" if f"{line} sends" in names else ""
-
-
-def wires_of_boards(pins):
-    """Where the boards have the wires of a device: the table of boards.md."""
-    found = {}
-    for board, names in pins.items():
-        camera = line_pins(names, "camera")
-        ends = (camera or "none", line_pins(names, "base") or (camera and "the camera's") or "none", f"{pin(names['bus data'])}; {pin(names['bus clock'])}")
-        found.setdefault(ends, []).append(f"`{board}`")
-    heads = ["board", "camera's line: its TX to; its RX to", "base's line: its TX to; its RX to", "two-wire bus: data; clock"]
-    return table([heads, *[[", ".join(boards), *ends] for ends, boards in found.items()]])
-
-
-def own_pins(device, pins):
-    """The pins of what is on one board's port alone: encoders, the console."""
-    (image,) = device.images
-    found = {}
-    for board, names in pins.items():
-        if image.port == "kPins" and "left a" in names:
-            ends = ". ".join(f"{side.capitalize()} A to {pin(names[f'{side} a'])}, B to {pin(names[f'{side} b'])}" for side in ("left", "right"))
-        elif image.port == "kConsole" and "console sends" in names:
-            ends = f"its TX to {pin(names['console receives'])}; its RX to {pin(names['console sends'])}"
-        else:
-            continue
-        found.setdefault(ends, []).append(f"`{board}`")
-    return table([["board", "wires, and ground to ground"], *[[", ".join(names), ends] for ends, names in found.items()]])
-
-
-def on_board(device, pins, sources):
+def on_board(device, sources):
     """The lines to type, for each of the device's ports."""
     for image in device.images:
         typed = f"`set {kind(device)} {image.name}`"
         if image.port == "kLine":
             yield f"{typed} ({'camera' if device.camera else 'base'}'s line, {image.speed} baud)"
         elif image.port == "kTwoWire":
-            refused = [f"`{board}`" for board in pins if image.address < lowest_address(sources, board)]
+            refused = [f"`{board}`" for board in BOARDS if image.address < lowest_address(sources, board)]
             yield f"{typed} (two-wire bus, address {image.address:#04x}{', not on ' * bool(refused)}{', '.join(refused)})"
 
 
-def wires(device, pins, sources):
+def wires(device, sources):
     links = []
     if device.name in OWN_LINE:
         links.append(f"On Linux its serial line is {OWN_LINE[device.name]}.")
     elif device.places and device.places[0] not in ("a CAN interface", *PICTURES):
         links.append("On Linux: [which wires](../live.md#devices).")
     if not device.images:
-        links.append("It is for `run`: no board has it.")
+        links.append("No board has it.")
     elif device.images[0].port in ("kLine", "kTwoWire"):
-        links.append(f"On a board ([pins](../boards.md#a-devices-wires)): {' or '.join(on_board(device, pins, sources))}.")
+        links.append(f"On a board ([pins](../pins.md)): {' or '.join(on_board(device, sources))}.")
     else:
-        return own_pins(device, pins)
+        links.append("On a board: [pins](../pins.md).")
     return paragraph(" ".join(links))
 
 
@@ -173,7 +135,7 @@ def places_lines(device):
             yield f"# or --{kind(device)} {spec}{colours(place)}"
 
 
-def run(device, _pins, _sources):
+def run(device, _sources):
     parts = []
     if device.name == "console":
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
@@ -185,7 +147,7 @@ def run(device, _pins, _sources):
     return "\n\n".join(parts)
 
 
-def wrong(device, _pins, _sources):
+def wrong(device, _sources):
     if not device.places:
         return "- [Cables](../console.md#cables) says what `status` reports of its link."
     return paragraph(f"- *Not ready*: {device.unready}.", "  ")
@@ -214,35 +176,30 @@ def part_put(text, name, made):
     return re.sub(rf"(<!--{name}-->\n).*?(<!--end-->)", lambda match: match.group(1) + made + "\n" + match.group(2), text, flags=re.DOTALL)
 
 
-def renewed(text, device: Device, pins, sources):
+def renewed(text, device: Device, sources):
     """(the page with its parts made anew, the parts that it lacks)"""
     lacks = [f"<!--{name}-->" for name in SECTIONS if f"<!--{name}-->" not in text] + [head for head in BY_HAND if head not in text]
     for name in SECTIONS:
-        text = part_put(text, name, MAKERS[name](device, pins, sources))
+        text = part_put(text, name, MAKERS[name](device, sources))
     return text, lacks
 
 
 def files_of(sources):
     """{path: text} of all that is made, and faults"""
-    devices, pins = devices_of(sources), pins_of(sources)
+    devices = devices_of(sources)
     made, faults = {}, []
     for device in devices.values():
         page = page_of(sources, device)
         if not page.is_file():
             faults.append(f"{device.name} has no page: {page.relative_to(sources)}")
             continue
-        text, lacks = renewed(page.read_text(encoding="utf-8"), device, pins, sources)
+        text, lacks = renewed(page.read_text(encoding="utf-8"), device, sources)
         faults += [f"{page.name} lacks {part}" for part in lacks]
         made[page] = text
         if device.lens and device.tells:
             made[page.with_name(f"{device.name}.json")] = scene_of(device)
     there = {path for path in (sources / "host/share/doc/sensors").iterdir()}
     faults += [f"{path.name} is of no device" for path in sorted(there - set(made))]
-    boards = sources / BOARDS_PAGE
-    text = boards.read_text(encoding="utf-8")
-    if f"<!--{WIRES_OF_BOARDS}-->" not in text:
-        faults.append(f"{boards.name} lacks <!--{WIRES_OF_BOARDS}-->")
-    made[boards] = part_put(text, WIRES_OF_BOARDS, wires_of_boards(pins))
     return made, faults
 
 

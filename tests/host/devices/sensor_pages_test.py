@@ -11,8 +11,7 @@ import sensor_pages
 import sensor_runs
 
 SOURCES = pathlib.Path(sys.argv.pop(1)).resolve()
-READ = (*device_facts.PAGES, sensor_pages.BOARDS_PAGE, "hal/boards/PINS.md", "hal/boards/pico/board.hpp", "firmware/config/cameras.hpp",
-        "firmware/config/devices.hpp", "host/share/wiring/draw.py")
+READ = (*device_facts.PAGES, "hal/boards/pico/board.hpp", "firmware/config/cameras.hpp", "firmware/config/devices.hpp")
 
 
 class Planted(unittest.TestCase):
@@ -43,7 +42,6 @@ class Planted(unittest.TestCase):
         plants = {
             "pixy2 has no page": lambda: (self.pages / "pixy2.md").unlink(),
             "old.md is of no device": lambda: (self.pages / "old.md").write_text(""),
-            "boards.md": lambda: self.edit("hal/boards/PINS.md", "| camera sends | GP4, pin 6 |", "| camera sends | GP6, pin 9 |"),
             "cmucam4.md": lambda: self.edit("firmware/config/cameras.hpp", '"cmucam4", kLine, 19\'200', '"cmucam4", kLine, 38\'400'),
             "huskylens.json": lambda: self.edit("tests/host/devices/facts.txt", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
             "xbc.md lacks <!--wires-->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!--wires-->", ""),

@@ -12,7 +12,7 @@ sys.path.insert(0, str(TOP / "host/share/wiring"))
 import draw  # noqa: E402
 
 GUIDE = TOP / "firmware/FIRST_ALERT.md"
-PINS = (TOP / "hal/boards/PINS.md").read_text(encoding="utf-8")
+PINS = (TOP / "host/share/doc/pins.md").read_text(encoding="utf-8")
 SYSTEMS = ("Windows", "macOS", "Linux")
 # About the desk's program, which is one for Linux, and says so.
 OTHER_SECTIONS = ("## 10",)
