@@ -155,9 +155,7 @@ RobotFile read_robot(const JsonNode& root) {
   RobotFile robot;
   if (const auto camera = root.find("camera")) robot.camera = read_camera_numbers(*camera);
   if (const auto signatures = root.find("signatures")) {
-    for (const SceneSignature& read : read_signatures(*signatures)) {
-      robot.signatures.push_back({read.id, read.rgb, sensor::Text(read.name), read.pad, read.width});
-    }
+    for (const SceneSignature& read : read_signatures(*signatures)) robot.signatures.push_back(read.recorded());
   }
   if (const auto windows = root.find("windows")) {
     robot.windows = read_windows(*windows);

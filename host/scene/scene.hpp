@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "firmware/record/records.hpp"
 #include "hal/sensor/blob_frame.hpp"
 #include "hal/sensor/camera.hpp"
 #include "host/geometry/polygon.hpp"
@@ -21,6 +22,8 @@ struct SceneSignature {
   sensor::Rgb rgb;
   std::uint16_t width = 0;  ///< mm, of all things of this colour, mean of all sides; 0: unknown
   std::int8_t pad = 0;      ///< px that the robot takes off each side of this colour's boxes
+
+  [[nodiscard]] record::Signature recorded() const { return {id, rgb, sensor::Text(name), pad, width}; }
 };
 
 struct TimedPose {

@@ -81,10 +81,7 @@ std::vector<record::Signature> parse_signatures(std::string_view text, const std
   if (is_json(text)) {
     signatures = from_json(text, name, [](const JsonNode& root) {
       std::vector<record::Signature> all;
-      const JsonNode list = root.at("signatures");
-      for (const SceneSignature& signature : read_signatures(list, 1)) {
-        all.push_back({signature.id, signature.rgb, sensor::Text(signature.name)});
-      }
+      for (const SceneSignature& read : read_signatures(root.at("signatures"), 1)) all.push_back(read.recorded());
       return all;
     });
   } else {

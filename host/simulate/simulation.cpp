@@ -118,9 +118,7 @@ void Simulation::write(const Record& record) {
 
 void Simulation::write_calibration() {
   write(written_);
-  for (const SceneSignature& signature : scene_.signatures) {
-    write(record::Signature{signature.id, signature.rgb, sensor::Text(signature.name), signature.pad, signature.width});
-  }
+  for (const SceneSignature& signature : scene_.signatures) write(signature.recorded());
   if (scene_.odometry.of_car()) write_car();
 }
 

@@ -46,6 +46,13 @@ TEST(SetupFile, SignaturesComeFromTheSamePlaces) {
   EXPECT_EQ(from_lines[1].signature, 2);
 }
 
+TEST(SetupFile, ASignatureOfJsonKeepsItsSizeAndPad) {
+  const auto read = parse_signatures(R"({"signatures": [{"id": 4, "rgb": "c81e1e", "size": 0.05, "pad": -3}]})", "s");
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].width, 50) << "mm";
+  EXPECT_EQ(read[0].pad, -3);
+}
+
 TEST(SetupFile, ColoursComeFromTheCommandLine) {
   EXPECT_EQ(parse_colour("red=C81e1e", 3), given(3, "red", kRed));
   EXPECT_EQ(parse_rgb("808080", "x"), kGrey);
