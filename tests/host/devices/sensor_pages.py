@@ -1,8 +1,8 @@
 """usage: sensor_pages.py SOURCES [--write]
 
-The pages of host/share/doc/sensors, one a device. The text between `<!--NAME-->` and `<!--end-->` is made of the
-catalogue's tables (device_facts.py); the rest is written by hand. Compares; with --write it renews those parts and the
-scenes beside the pages. Exit status 1 if something differs, or a device has no page.
+The pages of host/share/doc/sensors, one a device. The text from `<!--NAME-->` to the next heading is made of the
+catalogue's tables (device_facts.py). So is the trap "Not ready"; the rest is written by hand. Compares; with --write it
+renews those parts and the scenes beside the pages. Exit status 1 if something differs, or a device has no page.
 """
 
 import json
@@ -13,7 +13,7 @@ from pathlib import Path
 
 from device_facts import BOARDS, Device, devices_of, lowest_address, page_of
 
-SECTIONS = ("facts", "wires", "run", "wrong")
+SECTIONS = ("facts", "wires", "run")
 BY_HAND = ("## Set it up", "## Traps")
 SCENE_RATE = 12.5  # pictures a second: what any of them can
 PLACE_SHOWN = {"/dev/tty...": "/dev/ttyUSB0", "/dev/i2c-N": "/dev/i2c-1", "/dev/spidevN.M": "/dev/spidev0.0", "usb": "usb", "nxt": "nxt",
@@ -147,10 +147,10 @@ def run(device, _sources):
     return "\n\n".join(parts)
 
 
-def wrong(device, _sources):
-    if not device.places:
-        return "- [Cables](../console.md#cables) says what `status` reports of its link."
-    return paragraph(f"- *Not ready*: {device.unready}.", "  ")
+def with_trap(text, device):
+    """Begins the traps with the catalogue's words on a device that is not ready."""
+    item = paragraph(f"- *Not ready*: {device.unready}.", "  ") + "\n" if device.unready else ""
+    return re.sub(r"(?<=^## Traps\n)(?:- \*Not ready\*.*\n(?:  .*\n)*)?", lambda _: item, text, flags=re.MULTILINE)
 
 
 def scene_of(device):
@@ -169,19 +169,20 @@ def scene_of(device):
     return "{" + ",\n ".join(f'"{key}": {json.dumps(value)}' for key, value in scene.items()) + "}\n"
 
 
-MAKERS = {"facts": facts, "wires": wires, "run": run, "wrong": wrong}
+MAKERS = {"facts": facts, "wires": wires, "run": run}
 
 
 def part_put(text, name, made):
-    return re.sub(rf"(<!--{name}-->\n).*?(<!--end-->)", lambda match: match.group(1) + made + "\n" + match.group(2), text, flags=re.DOTALL)
+    return re.sub(rf"(<!--{name}-->\n).*?(?=\n\n## |\Z)", lambda match: match.group(1) + made, text, flags=re.DOTALL)
 
 
 def renewed(text, device: Device, sources):
     """(the page with its parts made anew, the parts that it lacks)"""
-    lacks = [f"<!--{name}-->" for name in SECTIONS if f"<!--{name}-->" not in text] + [head for head in BY_HAND if head not in text]
+    made = {name: MAKERS[name](device, sources) for name in SECTIONS}
+    lacks = [f"<!--{name}-->" for name in SECTIONS if made[name] and f"<!--{name}-->" not in text] + [head for head in BY_HAND if head not in text]
     for name in SECTIONS:
-        text = part_put(text, name, MAKERS[name](device, sources))
-    return text, lacks
+        text = part_put(text, name, made[name])
+    return with_trap(text, device), lacks
 
 
 def files_of(sources):

@@ -46,6 +46,7 @@ class Planted(unittest.TestCase):
             "huskylens.json": lambda: self.edit("tests/host/devices/facts.txt", "| `huskylens` | 320 x 240", "| `huskylens` | 640 x 480"),
             "xbc.md lacks <!--wires-->": lambda: self.edit("host/share/doc/sensors/xbc.md", "<!--wires-->", ""),
             "xbc.md lacks ## Traps": lambda: self.edit("host/share/doc/sensors/xbc.md", "## Traps", "## More"),
+            "huskylens.md": lambda: self.edit("host/share/doc/sensors/huskylens.md", "- *Not ready*: it has", "- *Not ready*: perhaps it has"),
             "create2.md": lambda: self.edit("host/share/doc/sensors/create2.md", "--log run.log", "--log it.log"),
         }
         for says, plant in plants.items():

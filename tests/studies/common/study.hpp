@@ -33,7 +33,7 @@ inline void add_seed_options(CLI::App& app, Seeds& seeds, const std::string& abo
                              const std::string& name = "--scenes") {
   app.add_option(name, seeds.scenes, about)->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--first-seed", seeds.first,
-                 "seed of the first one; which seeds tuned what: README.md beside the study")
+                 "seed of the first one; which seeds tuned what: the READMEs of tests/studies")
       ->capture_default_str();
 }
 
