@@ -141,7 +141,7 @@ def run(device, _sources):
         parts.append("A log, played into a robot of this machine, which says the same:\n\n" + "\n".join("    " + line for line in CONSOLE))
     lines = ["    " + line for line in places_lines(device)]
     if lines:
-        parts.append("With a [robot file](../live.md#robot-file):\n\n" + "\n".join(lines))
+        parts.append("[About `robot.json`](../live.md#robot-file):\n\n" + "\n".join(lines))
     if device.name == "encoders":
         parts.append("The settings above, typed on a board's [console](../console.md), or [written into its image](../boards.md#cameras).")
     return "\n\n".join(parts)
