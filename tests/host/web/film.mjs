@@ -1,6 +1,6 @@
 // The film that a camera plays in the tests: an orange box stands, comes, and stands again. Black and white cells in the upper left corner are the
 // number of each picture.
-const [WIDTH, HEIGHT] = [320, 240];
+export const [WIDTH, HEIGHT] = [320, 240];
 export const RATE = 20;    // pictures a second
 export const COMES = 5;    // s; until then it stands
 const HERE = 9.3;          // s; from then on it stands
@@ -18,8 +18,8 @@ export function truthAt(number) {
   return [Math.round(159.5 - half), Math.round(125.5 - half), Math.round(159.5 + half), Math.round(125.5 + half)];
 }
 
-/** The film as Y4M, with grey levels that wander as a cheap camera's do. */
-export function film() {
+/** The pictures of the film as I420, with grey levels that wander as a cheap camera's do. */
+export function pictures() {
   const yuv = ([red, green, blue]) => {
     const y = 0.299 * red + 0.587 * green + 0.114 * blue;
     return [16 + y * 219 / 255, 128 + (blue - y) / 1.772 * 224 / 255, 128 + (red - y) / 1.402 * 224 / 255];
@@ -27,7 +27,7 @@ export function film() {
   let random = 1;
   const noise = () => { random = (random * 48271) % 2147483647; return random % 7 - 3; };
   const [wall, box] = [yuv([120, 122, 126]), yuv([230, 110, 30])];
-  const parts = [Buffer.from(`YUV4MPEG2 W${WIDTH} H${HEIGHT} F${RATE}:1 Ip A1:1 C420jpeg\n`)];
+  const all = [];
   for (let number = 0; number < LENGTH * RATE; ++number) {
     const [x1, y1, x2, y2] = truthAt(number);
     const inside = (u, v) => u >= x1 && u <= x2 && v >= y1 && v <= y2;
@@ -49,7 +49,13 @@ export function film() {
       }
       return plane;
     });
-    parts.push(Buffer.from("FRAME\n"), luma, ...chroma);
+    all.push(Buffer.concat([luma, ...chroma]));
   }
-  return Buffer.concat(parts);
+  return all;
+}
+
+/** Those pictures as Y4M. */
+export function y4m(list) {
+  const head = Buffer.from(`YUV4MPEG2 W${WIDTH} H${HEIGHT} F${RATE}:1 Ip A1:1 C420jpeg\n`);
+  return Buffer.concat([head, ...list.flatMap((picture) => [Buffer.from("FRAME\n"), picture])]);
 }

@@ -1,23 +1,26 @@
 // usage: node webcam_test.mjs PAGE CLI NPM SHARE [PART]: the page with a camera, in headless Chromium. The camera plays a film: an orange
-// box stands, comes, and stands again. Black and white cells in the upper left corner are the number of each picture.
+// box stands, comes, and stands again. Black and white cells in the upper left corner are the number of each picture. Where it matters which
+// pictures the page takes and when, the test shows them, one after the other, and the page's clock is the film's.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { BITS, CELL, COMES, LENGTH, RATE, SPEED, distanceAt, film, truthAt } from "./film.mjs";
-import { Browser, POLLED, Tools, hurry, run, text } from "./harness.mjs";
+import { BITS, CELL, COMES, HEIGHT, LENGTH, RATE, SPEED, WIDTH, distanceAt, pictures, truthAt, y4m } from "./film.mjs";
+import { Browser, POLLED, Tools, run, text } from "./harness.mjs";
 
 const CLOSE = 3;  // px, between a box and the truth
 
 const tools = new Tools(process.argv.slice(2));
+const film = pictures();
 const folder = mkdtempSync(join(tmpdir(), "fencepost-webcam-"));
 const capture = join(folder, "comes.y4m");
-writeFileSync(capture, film());
+writeFileSync(capture, y4m(film));
 const browser = await Browser.start(tools, ["--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream", `--use-file-for-fake-video-capture=${capture}`]);
 
-/** Runs in the page, before it: the number of each picture that the page takes, and the streams that it was given. `aside`: px that the page
- * draws the camera's picture beside where it belongs. */
-function watch({ cell, bits, aside }) {
+/** Runs in the page, before it: the number of each picture that the page takes, and the streams that it was given. With `paced` the page takes
+ * those that are handed to window.project(), at their times, in the place of the camera's. `aside`: px that the page draws the camera's picture
+ * beside where it belongs. */
+function watch({ cell, bits, aside, paced }) {
   window.taken = [];
   window.streams = [];
   const { getImageData, drawImage } = CanvasRenderingContext2D.prototype;
@@ -29,8 +32,21 @@ function watch({ cell, bits, aside }) {
     return image;
   };
   CanvasRenderingContext2D.prototype.drawImage = function draw(image, x, ...rest) {
-    return drawImage.call(this, image, image instanceof HTMLVideoElement ? x + aside : x, ...rest);
+    return image instanceof HTMLVideoElement ? drawImage.call(this, window.shown ?? image, x + aside, ...rest) : drawImage.call(this, image, x, ...rest);
   };
+  if (paced) {
+    let look = null;
+    HTMLVideoElement.prototype.requestVideoFrameCallback = (callback) => { look = callback; };
+    const clock = performance.now.bind(performance);
+    window.project = (base64, codedWidth, codedHeight, ms) => {
+      const colorSpace = { matrix: "smpte170m", primaries: "bt709", transfer: "iec61966-2-1", fullRange: false };
+      window.shown = new VideoFrame(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)), { format: "I420", codedWidth, codedHeight, timestamp: 1000 * ms, colorSpace });
+      performance.now = () => ms;
+      look();
+      performance.now = clock;
+      window.shown.close();
+    };
+  }
   const devices = navigator.mediaDevices;
   const ask = devices.getUserMedia.bind(devices);
   devices.getUserMedia = async (...wanted) => {
@@ -40,7 +56,17 @@ function watch({ cell, bits, aside }) {
   };
 }
 
-const opened = (aside = 0, more = {}) => browser.open({ before: [{ run: watch, with: { cell: CELL, bits: BITS, aside } }, { run: hurry }], ...more });
+/** Runs in the page, before it: the page waits as long as it takes. A second and more is over soon while window.hurried, else never; what comes
+ * again and again comes when the test calls the last of window.looks. */
+function patience() {
+  window.hurried = false;
+  window.looks = [];
+  const wait = window.setTimeout.bind(window);
+  window.setTimeout = (what, ms, ...more) => ms >= 1000 && !window.hurried ? 0 : wait(what, ms >= 1000 ? ms / 50 : ms, ...more);
+  window.setInterval = (what) => window.looks.push(what);
+}
+
+const opened = (how = {}, more = {}) => browser.open({ before: [{ run: watch, with: { cell: CELL, bits: BITS, aside: 0, ...how } }, { run: patience }], ...more });
 /** When the page has taken a picture of those. */
 const taken = (page, from, to) => page.waitForFunction(([a, b]) => window.taken.at(-1) >= a && window.taken.at(-1) < b, [from, to], POLLED);
 const live = (page) => page.evaluate(() => window.streams.flatMap((stream) => stream.getTracks()).filter(({ readyState }) => readyState === "live").length);
@@ -57,13 +83,19 @@ async function saved(page, button, name) {
 async function follow(page, name, train) {
   await page.click("#webcam");
   await page.waitForSelector("#watching:not([hidden])");
-  await taken(page, 1, (COMES - 2) * RATE);
+  let number = 0;
+  const play = async (to) => {
+    for (; number < to; ++number) {
+      await page.evaluate((picture) => window.project(...picture), [film[number].toString("base64"), WIDTH, HEIGHT, 1000 * number / RATE]);
+    }
+  };
+  await play((COMES - 2) * RATE);
   assert.equal(await text(page, "#banner"), "No alert");
   await train(page);
   assert.equal(await text(page, "#webcam-said"), "Trained: orange.");
-  await taken(page, (COMES - 1) * RATE, COMES * RATE);
+  await play(COMES * RATE);
   const before = await text(page, "#banner");
-  await page.waitForFunction((last) => document.getElementById("banner").textContent.startsWith("STOP") || window.taken.at(-1) >= last, (LENGTH - 0.5) * RATE, POLLED);
+  while (number < film.length && !(await text(page, "#banner")).startsWith("STOP")) await play(number + 1);
   const seen = await page.evaluate(() => ({ banner: document.getElementById("banner").textContent, colours: document.getElementById("webcam-colours").textContent }));
   const colours = await saved(page, "#webcam-save", `${name}.json`);
   const half = await saved(page, "#webcam-log", `${name}-half.log`);
@@ -101,7 +133,7 @@ const after = (frames) => frames.slice(frames.findIndex(({ boxes }) => boxes.len
 
 await run({
   async "a click trains a colour; its boxes are true, STOP comes in time, and the log replays at the desk to the page's digest"() {
-    const page = await opened();
+    const page = await opened({ paced: true });
     const made = await follow(page, "clicked", click);
     assert.equal(made.before, "No alert", "what stands is no danger");
     assert.match(made.seen.banner, /^STOP: .* contact in /);
@@ -128,7 +160,7 @@ await run({
   },
 
   async "a picture that is drawn a little aside is noticed"() {
-    const page = await opened(CLOSE + 1);
+    const page = await opened({ paced: true, aside: CLOSE + 1 });
     const made = await follow(page, "aside", click);
     const off = farthest(after(framesOf(made.log, made.numbers)));
     assert.ok(off > CLOSE, `${off} px`);
@@ -226,15 +258,20 @@ await run({
     await page.click("#webcam");
     await page.waitForSelector("#watching:not([hidden])");
     assert.equal(await text(page, "#webcam-error"), "");
-    await page.evaluate(() => { HTMLVideoElement.prototype.requestVideoFrameCallback = () => 0; });
-    await page.waitForFunction(() => document.getElementById("webcam-error").textContent, null, POLLED);
+    await taken(page, 1, LENGTH * RATE);
+    await page.evaluate(() => { for (let looks = 0; looks < 7; ++looks) window.looks.at(-1)(); });
+    assert.equal(await text(page, "#webcam-error"), "", "a camera may pause");
+    await page.evaluate(() => {
+      HTMLVideoElement.prototype.requestVideoFrameCallback = () => 0;
+      for (let looks = 0; looks < 8; ++looks) window.looks.at(-1)();
+    });
     assert.match(await text(page, "#webcam-error"), /^The camera sends no pictures any more\. Below is what it recorded/);
     assert.equal(await live(page), 0);
     await page.context().close();
   },
 
   async "a phone has room for it, and nothing asked for the network"() {
-    const page = await opened(0, { viewport: { width: 400, height: 800 } });
+    const page = await opened({}, { viewport: { width: 400, height: 800 } });
     await page.click("#webcam");
     await page.waitForSelector("#watching:not([hidden])");
     await taken(page, 1, LENGTH * RATE);
