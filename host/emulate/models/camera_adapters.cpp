@@ -24,7 +24,7 @@ class Pixy2Adapter final : public DeviceModel {
   }
   Bytes take(std::uint8_t byte, base::Time now) override { return camera_.take(byte, now); }
   Bytes see(const sensor::BlobFrame& frame, base::Time) override {
-    camera_.show(list_of(frame));
+    camera_.see(list_of(frame));
     return {};
   }
   [[nodiscard]] bool in_use() const override { return camera_.asked(); }

@@ -48,31 +48,38 @@ bool selected(const sensor::Blob& blob, unsigned map) {
 
 }  // namespace
 
-void Pixy2::show(const std::vector<sensor::Blob>& blobs) {
+void Pixy2::see(const std::vector<sensor::Blob>& blobs) { follow(blobs, kRepeated); }
+
+void Pixy2::show(const std::vector<sensor::Blob>& blobs) { follow(blobs, 0); }
+
+void Pixy2::follow(const std::vector<sensor::Blob>& blobs, int repeated) {
   struct Pair {
     int difference = 0;
-    std::size_t before = 0;
-    std::size_t now = 0;
+    std::size_t block = 0;
+    std::size_t blob = 0;
   };
-  const std::vector<Block> before = std::exchange(blocks_, {});
   std::vector<Pair> pairs;
-  for (std::size_t now = 0; now < blobs.size(); ++now) {
-    blocks_.push_back({blobs[now]});
-    for (std::size_t old = 0; old < before.size(); ++old) {
-      if (const auto apart = difference(before[old].blob, blobs[now])) pairs.push_back({*apart, old, now});
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    for (std::size_t blob = 0; blob < blobs.size(); ++blob) {
+      if (const auto apart = difference(blocks_[block].blob, blobs[blob])) pairs.push_back({*apart, block, blob});
     }
   }
   std::ranges::stable_sort(pairs, {}, &Pair::difference);
-  std::vector<bool> is_used(before.size());
-  std::vector<bool> has_index(blobs.size());
+  std::vector<bool> is_found(blocks_.size());
+  std::vector<bool> has_block(blobs.size());
   for (const Pair& pair : pairs) {
-    if (is_used[pair.before] || has_index[pair.now]) continue;
-    is_used[pair.before] = has_index[pair.now] = true;
-    blocks_[pair.now].index = before[pair.before].index;
-    blocks_[pair.now].age = static_cast<std::uint8_t>(std::min(before[pair.before].age + 1, 0xFF));
+    if (is_found[pair.block] || has_block[pair.blob]) continue;
+    is_found[pair.block] = has_block[pair.blob] = true;
+    blocks_[pair.block].blob = blobs[pair.blob];
   }
-  for (std::size_t now = 0; now < blobs.size(); ++now) {
-    if (!has_index[now]) blocks_[now].index = next_index_++;
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    Block& known = blocks_[block];
+    known.age = static_cast<std::uint8_t>(std::min(known.age + 1, 0xFF));
+    known.repeats = is_found[block] ? repeated : known.repeats - 1;
+  }
+  std::erase_if(blocks_, [](const Block& block) { return block.repeats < 0; });
+  for (std::size_t blob = 0; blob < blobs.size(); ++blob) {
+    if (!has_block[blob]) blocks_.push_back({blobs[blob], next_index_++, 0, repeated});
   }
   frame_is_new_ = true;
 }
@@ -92,6 +99,8 @@ void Pixy2::restart(base::Time now) {
   power_on_ = now;
   program_ = default_program_;
   received_.clear();
+  blocks_.clear();
+  next_index_ = 0;
   frame_is_new_ = false;
 }
 
