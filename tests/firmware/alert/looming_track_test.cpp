@@ -147,12 +147,17 @@ void wanders(Tracks& tracks) {
   int forward = 0, turn = 0;
   for (int i = 0; i < 10'000; ++i) {
     if (i % 40 == 0) {
-      things.resize(static_cast<std::size_t>(any(0, 6)));
-      steps.resize(things.size());
-      for (LoomingThing& thing : things) {
-        thing = {any(100, 3'000), any(-600, 600), any(20, 300), any(20, 300), static_cast<std::uint8_t>(any(1, 3))};
+      things.clear();
+      steps.clear();
+      const int count = any(0, 6);
+      for (int k = 0; k < count; ++k) {
+        things.push_back(
+            {any(100, 3'000), any(-600, 600), any(20, 300), any(20, 300), static_cast<std::uint8_t>(any(1, 3))});
       }
-      for (auto& [ahead, left] : steps) ahead = any(-60, 20), left = any(0, 2) == 0 ? any(-20, 20) : 0;
+      for (int k = 0; k < count; ++k) {
+        const int ahead = any(-60, 20);
+        steps.emplace_back(ahead, any(0, 2) == 0 ? any(-20, 20) : 0);
+      }
       forward = any(0, 1) == 0 ? 0 : any(-4, 16);
       turn = any(0, 2) == 0 ? any(-12'000, 12'000) : 0;
       tracks.odometry(any(0, 4) != 0);
