@@ -107,4 +107,7 @@ struct Box {
   double height;
 };
 
+/// The id of the camera's tracker as a detection's `id`; empty: none.
+std::string track_of(const sensor::Blob& blob);
+
 }  // namespace fencepost::host::exports

@@ -185,7 +185,7 @@ class FoxgloveJson final : public Encoding {
                        {{"center", {{"position", {{"x", box.x}, {"y", box.y}}}, {"theta", 0}}},
                         {"size_x", box.width},
                         {"size_y", box.height}}},
-                      {"id", ""}});
+                      {"id", track_of(blob)}});
     }
     return text_of({{"header", header(t, kCameraFrame)}, {"detections", std::move(list)}});
   }

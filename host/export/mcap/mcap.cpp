@@ -219,6 +219,8 @@ Box::Box(const sensor::Blob& blob)
       width(blob.bearing ? 0 : blob.x2 - blob.x1 + 1),
       height(blob.y2 - blob.y1 + 1) {}
 
+std::string track_of(const sensor::Blob& blob) { return blob.track == 0 ? "" : std::to_string(blob.track); }
+
 std::string mcap_of(const Run& run, const Encoding& encoding, double start) {
   return Recording(run, encoding, start).bytes();
 }

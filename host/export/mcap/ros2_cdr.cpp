@@ -196,7 +196,7 @@ class Ros2Cdr final : public Encoding {
       quaternion(cdr, {});
       cdr.zeros(kCovariance);
       const Box box(blob);
-      cdr.real(box.x).real(box.y).real(0).real(box.width).real(box.height).string("");
+      cdr.real(box.x).real(box.y).real(0).real(box.width).real(box.height).string(track_of(blob));
     }
     return cdr.bytes();
   }
