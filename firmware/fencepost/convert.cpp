@@ -70,6 +70,19 @@ base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const fencepost_cam
   return to;
 }
 
+base::Result<record::Signature, Answer> signature_of(const fencepost_colour& colour) {
+  constexpr float kPerMetre = 1'000;
+  const float width = colour.size * kPerMetre + 0.5F;
+  const bool within = colour.size == 0 || (width >= static_cast<float>(record::kWidth.min) &&
+                                           width < static_cast<float>(record::kWidth.max + 1));
+  if (!within || colour.pad < record::kPad.min || colour.pad > record::kPad.max) return Answer::kRange;
+  record::Signature signature{colour.signature, {colour.red, colour.green, colour.blue}, {}};
+  if (colour.name != nullptr) signature.name = colour.name;
+  signature.width = static_cast<std::uint16_t>(width);
+  signature.pad = colour.pad;
+  return signature;
+}
+
 base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose& pose) {
   sensor::OdometrySample sample;
   sample.t = t;

@@ -22,6 +22,7 @@ constexpr std::int64_t micros_of(base::Time time) { return time.raw * kMicrosPer
 
 /// errors: kRange: what the stream cannot express
 base::Result<sensor::CameraIntrinsics, Answer> intrinsics_of(const fencepost_camera& camera);
+base::Result<record::Signature, Answer> signature_of(const fencepost_colour& colour);
 base::Result<sensor::OdometrySample, Answer> sample_of(base::Time t, const Pose& pose);
 
 /// True if the last pixel of each box is not before the first.

@@ -9,6 +9,7 @@
 
 #include "firmware/config/profile.hpp"
 #include "firmware/console/reports.hpp"
+#include "firmware/console/signatures.hpp"
 #include "firmware/fencepost/state.hpp"
 
 namespace fencepost {
@@ -95,8 +96,18 @@ Answer Core<Size>::set(const char* key, float value) {
 }
 
 template <class Size>
+Answer Core<Size>::set_colour(const Colour& colour) {
+  const auto signature = library::signature_of(colour);
+  if (!signature) return signature.error();
+  return state().pipeline().set_signature(*signature) ? Answer::kTaken : Answer::kNoRoom;
+}
+
+template <class Size>
 Answer Core<Size>::set_name(std::uint8_t signature, const char* name) {
-  return state().pipeline().set_signature({signature, {}, name}) ? Answer::kTaken : Answer::kNoRoom;
+  const record::Signature* known = console::find_signature(signature, state().memory().signatures);
+  record::Signature named = known != nullptr ? *known : record::Signature{signature, {}, {}};
+  named.name = name;
+  return state().pipeline().set_signature(named) ? Answer::kTaken : Answer::kNoRoom;
 }
 
 template <class Size>

@@ -105,6 +105,17 @@ typedef struct fencepost_box {
   int16_t bottom;
 } fencepost_box;
 
+/* The things of one colour. Begin with zeros. */
+typedef struct fencepost_colour {
+  uint8_t signature; /* the colour's number, as the camera has it */
+  uint8_t red;       /* as reports and pages draw it */
+  uint8_t green;
+  uint8_t blue;
+  int8_t pad;       /* px by which the camera's boxes of it are too wide on each side, -100 to 100 */
+  float size;       /* m, of all things of it, to 5 %: a diameter, or 1.27 times a square block's side; 0: not known */
+  const char* name; /* in sentences; at most 32 characters, of longer ones the first; null: none */
+} fencepost_colour;
+
 typedef struct fencepost_alert {
   fencepost_level level;
   uint32_t object;      /* its id; 0: something that is no object of the map, or nothing can be seen */
@@ -219,7 +230,11 @@ FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set(fencepost_core*
    whose values are words) */
 FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set_number(fencepost_core* core, const char* key,
                                                                         float value);
-/* The name of a colour in sentences; at most 32 characters, of longer ones the first. errors: no room, null */
+/* In force for the boxes after it, in the place of what was set for that colour before. With a size, one look gives a
+   range. errors: range (a size of more than 2 m, or a pad), no room, null */
+FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set_colour(fencepost_core* core,
+                                                                        const fencepost_colour* colour);
+/* A colour's name alone. errors: no room, null */
 FENCEPOST_NODISCARD FENCEPOST_API fencepost_answer fencepost_set_name(fencepost_core* core, uint8_t signature,
                                                                       const char* name);
 /* Sets the listener of alerts; a null function: none. errors: null (the core) */

@@ -18,6 +18,7 @@ constexpr std::size_t kMaxCorners = FENCEPOST_MAX_CORNERS;  ///< of an outline
 constexpr std::size_t kSectors = FENCEPOST_SECTORS;         ///< all around the robot
 constexpr std::size_t kWays = FENCEPOST_WAYS;               ///< on from where the robot is
 
+using Colour = fencepost_colour;
 using Pose = fencepost_pose;
 using Point = fencepost_point;
 using Object = fencepost_object;
@@ -102,7 +103,10 @@ class Core {
   FENCEPOST_NODISCARD Answer set(const char* key, const char* value);
   /// The same with a number in the setting's unit. errors: unknown, range (also settings whose values are words)
   FENCEPOST_NODISCARD Answer set(const char* key, float value);
-  /// The name of a colour in sentences; at most 32 characters. errors: no room
+  /// Sets a colour's name, look, size and pad for the boxes after it. With a size, one look gives a range.
+  /// errors: range (a size of more than 2 m, or a pad), no room
+  FENCEPOST_NODISCARD Answer set_colour(const Colour& colour);
+  /// A colour's name alone. errors: no room
   FENCEPOST_NODISCARD Answer set_name(std::uint8_t signature, const char* name);
 
   /// `function(context, alert)` gets each change of an alert, and repeats of alerts that last. It runs inside the

@@ -10,6 +10,7 @@ struct fencepost_core {
   virtual fencepost::Answer set_camera(const fencepost::Camera& camera) = 0;
   virtual fencepost::Answer set(const char* key, const char* value) = 0;
   virtual fencepost::Answer set(const char* key, float value) = 0;
+  virtual fencepost::Answer set_colour(const fencepost_colour& colour) = 0;
   virtual fencepost::Answer set_name(std::uint8_t signature, const char* name) = 0;
   virtual void on_alert(void (*function)(void* context, const fencepost::Alert& alert), void* context) = 0;
   virtual void on_log(fencepost_log_function function, void* context) = 0;
@@ -49,6 +50,7 @@ class SizedCore final : public fencepost_core {
   Answer set_camera(const Camera& camera) override { return core_.set_camera(camera); }
   Answer set(const char* key, const char* value) override { return core_.set(key, value); }
   Answer set(const char* key, float value) override { return core_.set(key, value); }
+  Answer set_colour(const Colour& colour) override { return core_.set_colour(colour); }
   Answer set_name(std::uint8_t signature, const char* name) override { return core_.set_name(signature, name); }
   void on_alert(typename Core<Size>::AlertFunction function, void* context) override {
     core_.on_alert(function, context);

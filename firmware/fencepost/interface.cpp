@@ -43,6 +43,11 @@ fencepost_answer fencepost_set_number(fencepost_core* core, const char* key, flo
   return c_answer(core->set(key, value));
 }
 
+fencepost_answer fencepost_set_colour(fencepost_core* core, const fencepost_colour* colour) {
+  if (core == nullptr || colour == nullptr) return FENCEPOST_NULL;
+  return c_answer(core->set_colour(*colour));
+}
+
 fencepost_answer fencepost_set_name(fencepost_core* core, std::uint8_t signature, const char* name) {
   if (core == nullptr || name == nullptr) return FENCEPOST_NULL;
   return c_answer(core->set_name(signature, name));

@@ -169,6 +169,7 @@ static void a_null_pointer_is_no_crash(void) {
   fencepost_core *core = fencepost_init(memory, sizeof memory, fencepost_small());
   const fencepost_camera camera = pixy2();
   const fencepost_box box = {1, 10, 10, 20, 20};
+  const fencepost_colour colour = {1, 0xD0, 0x20, 0x20, 0, 0.05F, NULL};
   fencepost_pose pose = {0, 0, 0};
   fencepost_object object;
   fencepost_point point;
@@ -182,6 +183,9 @@ static void a_null_pointer_is_no_crash(void) {
   EXPECT(fencepost_set(core, "robot.width", NULL) == FENCEPOST_NULL);
   EXPECT(fencepost_set_number(NULL, "robot.width", 1) == FENCEPOST_NULL);
   EXPECT(fencepost_set_number(core, NULL, 1) == FENCEPOST_NULL);
+  EXPECT(fencepost_set_colour(NULL, &colour) == FENCEPOST_NULL);
+  EXPECT(fencepost_set_colour(core, NULL) == FENCEPOST_NULL);
+  EXPECT(fencepost_set_colour(core, &colour) == FENCEPOST_TAKEN); /* without a name */
   EXPECT(fencepost_set_name(NULL, 1, "red") == FENCEPOST_NULL);
   EXPECT(fencepost_set_name(core, 1, NULL) == FENCEPOST_NULL);
   EXPECT(fencepost_on_alert(NULL, hear, NULL) == FENCEPOST_NULL);

@@ -77,9 +77,7 @@ struct ByHandle {
 
   Answer set_camera(const Camera& camera) { return Answer(fencepost_set_camera(core, &camera)); }
   Answer set(const char* key, const char* value) { return Answer(fencepost_set(core, key, value)); }
-  Answer set_name(std::uint8_t signature, const char* name) {
-    return Answer(fencepost_set_name(core, signature, name));
-  }
+  Answer set_colour(const Colour& colour) { return Answer(fencepost_set_colour(core, &colour)); }
   Answer odometry(std::int64_t time, const Pose& pose) { return Answer(fencepost_odometry(core, time, pose)); }
   Answer boxes(std::int64_t time, const Box* first, std::size_t count) {
     return Answer(fencepost_boxes(core, time, first, count));
@@ -181,6 +179,28 @@ TYPED_TEST(LibraryOfSize, ASilentCameraIsNoticedAndMotorsMayNotRun) {
   EXPECT_EQ(heard.sentences.back(), "BLIND   no frame comes from the camera");
 }
 
+TYPED_TEST(LibraryOfSize, ItsColoursAreInTheLogAndANameLeavesTheRest) {
+  std::string log;
+  const auto keep = [](void* to, const char* text, std::size_t size) {
+    static_cast<std::string*>(to)->append(text, size);
+  };
+  this->core_->on_log(keep, &log);
+  Colour colour{};
+  colour.signature = 3;
+  colour.red = 0xD0;
+  colour.green = 0x20;
+  colour.blue = 0x21;
+  colour.size = 0.05F;
+  colour.pad = -4;
+  colour.name = "ball";
+  ASSERT_EQ(this->core_->set_colour(colour), Answer::kTaken);
+  this->core_->step(0);
+  EXPECT_NE(log.find("$FPSIG,3,d02021,ball,0.050,-4*"), std::string::npos) << log;
+  ASSERT_EQ(this->core_->set_name(3, "cone"), Answer::kTaken);
+  this->core_->step(100);
+  EXPECT_NE(log.find("$FPSIG,3,d02021,cone,0.050,-4*"), std::string::npos) << log;
+}
+
 TYPED_TEST(LibraryOfSize, SaysWhichWaysAreFree) {
   std::array<Way, kWays> ways{};
   EXPECT_EQ(this->core_->ways(ways.data(), kWays), 0U) << "no odometry yet";
@@ -216,6 +236,18 @@ TEST(Library, SaysWhatItDidNotTake) {
   EXPECT_EQ(core->set("robot.widht", "0.18"), Answer::kUnknown);
   for (std::uint8_t i = 1; i <= Small::kObjects; ++i) EXPECT_EQ(core->set_name(i, "red"), Answer::kTaken);
   EXPECT_EQ(core->set_name(9, "blue"), Answer::kNoRoom);
+  Colour colour{};
+  for (const float size : {-0.05F, 0.0001F, 2.1F, NAN, INFINITY}) {
+    colour.size = size;
+    EXPECT_EQ(core->set_colour(colour), Answer::kRange) << size;
+  }
+  colour.size = 2;
+  EXPECT_EQ(core->set_colour(colour), Answer::kNoRoom) << "a ninth";
+  colour.signature = 1;
+  colour.pad = 101;
+  EXPECT_EQ(core->set_colour(colour), Answer::kRange);
+  colour.pad = -100;
+  EXPECT_EQ(core->set_colour(colour), Answer::kTaken);
   EXPECT_EQ(core->odometry(-1, {0, 0, 0}), Answer::kRange);
   EXPECT_EQ(core->odometry(100, {1000.1F, 0, 0}), Answer::kRange);
   EXPECT_EQ(core->odometry(100, {INFINITY, 0, 0}), Answer::kRange);

@@ -49,7 +49,13 @@ struct Player {
     count(core.set_camera(camera));
   }
   void accept(const record::Signature& signature) {
-    count(core.set_name(signature.signature, std::string(signature.name.view()).c_str()));
+    const std::string name(signature.name.view());
+    Colour colour{};
+    colour.signature = signature.signature;
+    colour.name = name.c_str();
+    colour.size = 1e-3F * static_cast<float>(signature.width);
+    colour.pad = signature.pad;
+    count(core.set_colour(colour));
   }
   void accept(const record::Setting& setting) {
     count(core.set(std::string(setting.key.view()).c_str(), std::string(setting.value.view()).c_str()));

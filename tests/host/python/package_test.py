@@ -133,7 +133,7 @@ class Replay(unittest.TestCase):
             self.assertEqual(fencepost.replay(odd).digest, whole.digest)
 
     def test_what_cannot_be_read_is_said(self):
-        for log, says in (("no_such.log", "cannot read .*no_such.log"), (b"hello\n", "no record in 1 lines")):
+        for log, says in (("no_such.log", "cannot read .*no_such.log"), (b"hello\n", "no record in 1 line")):
             with self.assertRaisesRegex(fencepost.ProgramError, says):
                 fencepost.replay(log)
         with self.assertRaisesRegex(FileNotFoundError, "no bundled recording is called nothing.log; there are approach_stop.log"):
@@ -192,6 +192,22 @@ class Loop(unittest.TestCase):
             self.assertEqual([(a.t, a.level, a.id) for a in run.alerts], [(round(a.t, 4), a.level, a.id) for a in heard])
             core.restart()
             self.assertEqual((core.objects, core.outline(thing.id)), ([], []))
+
+    def test_its_colours_are_in_its_log(self):
+        log = io.BytesIO()
+        core = fencepost.Core(fencepost.Camera.delivered("pixy2", z=0.12), log=log)
+        core.colour(3, "ball", rgb="d02021", size=0.05, pad=-4)
+        core.step(0)
+        core.name(3, "cone")
+        core.step(0.1)
+        names = [line.split(b"*")[0] for line in log.getvalue().splitlines() if line.startswith(b"$FPSIG")]
+        self.assertEqual(list(dict.fromkeys(names)), [b"$FPSIG,3,d02021,%s,0.050,-4" % name for name in (b"ball", b"cone")])
+        for says, attempt in (("'red' is not six hex digits", lambda: core.colour(1, rgb="red")),
+                              ("a signature is 0 to 255", lambda: core.colour(256)),
+                              ("a pad -100 to 100", lambda: core.colour(1, pad=101)),
+                              ("size 2.1 m: a number is out of range", lambda: core.colour(1, size=2.1))):
+            with self.assertRaisesRegex(fencepost.Refused, says):
+                attempt()
 
     def test_a_name_that_is_cut_loses_no_alert(self):
         camera = fencepost.Camera.delivered("pixy2", z=0.12, latency=0)

@@ -9,6 +9,10 @@ public final class Fencepost implements AutoCloseable {
   public void camera(int width, int height, float degrees, float lensHeight) {
     check(setCamera(core, width, height, degrees, lensHeight));
   }
+  /** A colour's name, the size of its things in metres (0: not known), and by how many pixels its boxes are too wide. */
+  public void colour(int signature, String name, float size, int pad) {
+    check(setColour(core, signature, name, size, pad));
+  }
   public void odometry(long time, float x, float y, float heading) {
     check(setPose(core, time, x, y, heading));
   }
@@ -36,6 +40,7 @@ public final class Fencepost implements AutoCloseable {
   private static native long create();
   private static native void destroy(long core);
   private static native String setCamera(long core, int width, int height, float degrees, float lensHeight);
+  private static native String setColour(long core, int signature, String name, float size, int pad);
   private static native String setPose(long core, long time, float x, float y, float heading);
   private static native String setBoxes(long core, long time, float[] numbers);
   private static native boolean step(long core, long now);

@@ -6,6 +6,7 @@ public final class Stop {
     String before = "";
     try (Fencepost robot = new Fencepost()) {
       robot.camera(640, 480, 62, lens);
+      robot.colour(1, "red", 0, 0);
       for (long now = 0; now < 8_000_000; now += 20_000) {
         final float depth = front - x, top = 239.5F + fx * (lens - 0.15F) / depth;
         final float foot = Math.min(479, 239.5F + fx * lens / depth);

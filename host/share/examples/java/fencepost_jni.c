@@ -37,6 +37,19 @@ JNIEXPORT jstring JNICALL Java_Fencepost_setCamera(JNIEnv *env, jclass class, jl
   camera.z = lens_height;
   return refusal(env, fencepost_set_camera(core_of(handle), &camera));
 }
+JNIEXPORT jstring JNICALL Java_Fencepost_setColour(JNIEnv *env, jclass class, jlong handle, jint signature,
+                                                   jstring name, jfloat size, jint pad) {
+  fencepost_colour colour = {0};
+  const char *text = (*env)->GetStringUTFChars(env, name, NULL);
+  if (text == NULL) return NULL; /* Java throws that it has no memory */
+  colour.signature = (uint8_t)signature;
+  colour.name = text;
+  colour.size = size;
+  colour.pad = (int8_t)(pad < -128 ? -128 : pad > 127 ? 127 : pad);
+  const fencepost_answer answer = fencepost_set_colour(core_of(handle), &colour);
+  (*env)->ReleaseStringUTFChars(env, name, text);
+  return refusal(env, answer);
+}
 JNIEXPORT jstring JNICALL Java_Fencepost_setPose(JNIEnv *env, jclass class, jlong handle, jlong time, jfloat x,
                                                  jfloat y, jfloat heading) {
   const fencepost_pose pose = {x, y, heading};

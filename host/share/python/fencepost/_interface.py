@@ -30,6 +30,11 @@ class Box(ctypes.Structure):
     _fields_ = [("signature", ctypes.c_uint8), *((name, ctypes.c_int16) for name in ("left", "top", "right", "bottom"))]
 
 
+class Colour(ctypes.Structure):
+    _fields_ = [*((name, ctypes.c_uint8) for name in ("signature", "red", "green", "blue")), ("pad", ctypes.c_int8),
+                ("size", ctypes.c_float), ("name", ctypes.c_char_p)]
+
+
 class Alert(ctypes.Structure):
     _fields_ = [("level", ctypes.c_int), ("object", ctypes.c_uint32), ("signature", ctypes.c_uint8),
                 *((name, ctypes.c_float) for name in ("distance", "bearing", "contact", "confidence")),
@@ -71,6 +76,7 @@ _FUNCTIONS: typing.Dict[str, typing.Tuple[typing.Any, ...]] = {  # name: result,
     "set_camera": (ctypes.c_int, _HANDLE, ctypes.POINTER(Camera)),
     "set": (ctypes.c_int, _HANDLE, _TEXT, _TEXT),
     "set_number": (ctypes.c_int, _HANDLE, _TEXT, ctypes.c_float),
+    "set_colour": (ctypes.c_int, _HANDLE, ctypes.POINTER(Colour)),
     "set_name": (ctypes.c_int, _HANDLE, ctypes.c_uint8, _TEXT),
     "on_alert": (ctypes.c_int, _HANDLE, AlertFunction, ctypes.c_void_p),
     "on_log": (ctypes.c_int, _HANDLE, LogFunction, ctypes.c_void_p),

@@ -168,8 +168,21 @@ class Core:
             answer = self._library.set_number(self._core, key.encode(), value)
         self._done(answer, "%s = %s" % (key, value))
 
+    def colour(self, signature: int, name: str = "", rgb: str = "000000", size: float = 0.0, pad: int = 0) -> None:
+        """Describes the things of a colour, for the boxes after it. Reports draw them in `rgb`. `size`, m, is their
+        diameter, or 1.27 times a square block's side. `pad`, px: their boxes are so much too wide on each side."""
+        what = "colour %s" % signature
+        try:
+            red, green, blue = bytes.fromhex(rgb)
+        except ValueError:
+            raise Refused("%s: '%s' is not six hex digits, such as d02020" % (what, rgb)) from None
+        if not 0 <= signature <= 255 or abs(pad) > 100:
+            raise Refused("%s, pad %s: a signature is 0 to 255, a pad -100 to 100 px" % (what, pad))
+        given = c.Colour(signature, red, green, blue, pad, size, name.encode())
+        self._done(self._library.set_colour(self._core, ctypes.byref(given)), "%s, size %s m" % (what, size))
+
     def name(self, signature: int, name: str) -> None:
-        """The name of a colour in sentences, at most 32 bytes of UTF-8."""
+        """A colour's name alone, in sentences; at most 32 bytes of UTF-8."""
         self._done(self._library.set_name(self._core, signature, name.encode()), "name %s" % name)
 
     def odometry(self, t: float, x: float, y: float, heading: float) -> typing.List[Heard]:
