@@ -8,6 +8,7 @@
 #include "host/calibrate/known.hpp"
 #include "host/live/record_line.hpp"
 #include "host/result/geojson.hpp"
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -82,8 +83,8 @@ nlohmann::ordered_json residuals_json(const Residuals& residuals) {
 }  // namespace
 
 std::string calibration_text(const Calibration& calibration, const std::string& log_name) {
-  std::string text = fmt::format("{}: {} frames, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
-                                 printable(log_name), calibration.frames, calibration.objects.size(),
+  std::string text = fmt::format("{}: {}, {}, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n", printable(log_name),
+                                 plural(calibration.frames, "frame"), plural(calibration.objects.size(), "object"),
                                  calibration.seconds, calibration.driven, calibration.turned * kDegrees);
   text += fmt::format("{:<18}{:>10}{:>11}{:>10}\n", "", "configured", "found", "+-");
   for (const Finding& finding : calibration.findings) text += row_of(finding);

@@ -10,6 +10,7 @@
 #include "host/calibrate/known.hpp"
 #include "host/calibrate/pads.hpp"
 #include "host/live/record_line.hpp"
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -129,8 +130,9 @@ doctor::Findings findings_of_causes(const std::vector<Cause>& causes, const std:
       return !cause.signature || signature.signature == *cause.signature;
     });
     const std::string name = cause.signature ? signature_name(signatures, *cause.signature) : "all colours";
-    std::string what = what_it_is(cause, printable(name)) + fmt::format(" (by {} object{} in {} boxes)", cause.objects,
-                                                                        cause.objects == 1 ? "" : "s", cause.sightings);
+    std::string what =
+        what_it_is(cause, printable(name)) +
+        fmt::format(" (by {} in {})", plural(cause.objects, "object"), plural(cause.sightings, "box", "boxes"));
     for (std::size_t i = 0; i < cause.or_else.size(); ++i) {
       what += fmt::format("{} {}", i == 0 ? "; this log does not exclude" : " or", words(cause.or_else[i]));
     }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/calibrate/sighting_model.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -26,8 +27,6 @@ constexpr double kNodeTime = 0.25;   ///< s, at least; within it odometry strays
 // Standard deviations of the priors around the configured values, wide enough to leave to the log what it determines.
 constexpr CameraValues kCameraSigma = {0.15, 0.12, 0.12, 0.10, 0.005, 0.004, 0.004, 0.02};  // by CameraParameter
 constexpr WheelValues kWheelSigma = {0.05, 0.02, 0.02};                                     // by WheelParameter
-
-const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 std::optional<std::string> why_hopeless(const DriveLog& log, const OdometryTrack& odometry) {
   if (odometry.driven() < kMinDriven && odometry.turned() < kMinTurned) {
@@ -227,9 +226,9 @@ ConfiguredOptics optics_of(const sensor::CameraIntrinsics& camera) {
 
 std::optional<std::string> too_few(std::size_t objects) {
   if (objects >= kMinObjects) return std::nullopt;
-  return fmt::format("{} object{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
-                     objects == 0 ? "no" : fmt::format("{}", objects), plural(objects), StartOptions{}.least_views,
-                     kMinObjects, kGuide);
+  return fmt::format("{} seen often enough ({} frames with a whole edge), and at least {} are needed; {}",
+                     objects == 0 ? "no objects" : plural(objects, "object"), StartOptions{}.least_views, kMinObjects,
+                     kGuide);
 }
 
 StartedProblem start_with(const DriveLog& log, const StartOptions& options, const std::vector<PoseResult>& path) {

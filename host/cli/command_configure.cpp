@@ -8,6 +8,7 @@
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
 #include "host/configure/configure.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -74,8 +75,8 @@ Exit run(const Request& request) {
   const Exit failed = can_be_configured(*image) ? Exit::kUsage : Exit::kUnreadable;
   if (!configured.ok()) throw Failure(failed, input_name(request.image) + ": " + configured.error());
   write_output(request.output, write_image(configured->memory, format_of(request, *configured)));
-  say(fmt::format("{}, version {}: {} lines in {} of {} bytes", configured->board, configured->version,
-                  configured->configured.size(), configured->used, configured->room));
+  say(fmt::format("{}, version {}: {} in {} of {} bytes", configured->board, configured->version,
+                  plural(configured->configured.size(), "line"), configured->used, configured->room));
   for (const std::string& line : configured->configured) say("  " + line);
   return Exit::kDone;
 }

@@ -13,6 +13,7 @@
 #include "host/evaluate/evaluation_json.hpp"
 #include "host/evaluate/evaluation_part.hpp"
 #include "host/evaluate/evaluation_text.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -20,9 +21,10 @@ namespace {
 void check_usage(const EvaluateRequest& request) {
   if (request.logs.empty()) throw Failure(Exit::kUsage, "LOG is required; see fencepost evaluate --help");
   if (!request.scenes.empty() && request.scenes.size() != request.logs.size()) {
-    throw Failure(Exit::kUsage, fmt::format("{} logs and {} scenes; give one --scene for each log, in the same order, "
-                                            "or none at all if each X.log has its X.json beside it",
-                                            request.logs.size(), request.scenes.size()));
+    throw Failure(Exit::kUsage,
+                  fmt::format("{} and {}; give one --scene for each log, in the same order, "
+                              "or none at all if each X.log has its X.json beside it",
+                              plural(request.logs.size(), "log"), plural(request.scenes.size(), "scene")));
   }
   const auto inputs = std::count(request.logs.begin(), request.logs.end(), "-") +
                       std::count(request.scenes.begin(), request.scenes.end(), "-") + (request.camera == "-" ? 1 : 0);
@@ -89,8 +91,8 @@ Exit conclude(const EvaluateRequest& request, const EvaluationPart& part, const 
   write_output(request.output, request.part ? part_json(part) : text);
   const Exit bounds = judge(request, summary);
   if (part.unjudged.empty()) return bounds;
-  say(fmt::format("{} of {} logs could not be judged, see above", part.unjudged.size(),
-                  part.unjudged.size() + part.evaluations.size()));
+  say(fmt::format("{} of {} could not be judged, see above", part.unjudged.size(),
+                  plural(part.unjudged.size() + part.evaluations.size(), "log")));
   return Exit::kUnreadable;
 }
 

@@ -19,7 +19,7 @@ Exit finish_import(const ImportResult& imported, const std::string& output) {
   const ImportSummary& summary = imported->summary;
   say(fmt::format("{} with {}, {}", plural(summary.frames, "frame"), plural(summary.blobs, "blob"),
                   plural(summary.odometry, "odometry sample")));
-  for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} {}", count, what));
+  for (const auto& [what, count] : summary.skipped) say(fmt::format("left out: {} ({})", what, count));
   for (const std::string& note : summary.notes) say(note);
   return Exit::kDone;
 }

@@ -14,6 +14,7 @@
 #include "host/cli/terminal.hpp"
 #include "host/recorder/recorder.hpp"
 #include "host/recorder/status_text.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -115,8 +116,7 @@ std::string parts_name(const std::string& first, const LogFile& log) {
 void say_end(const Recorder& recorder, const std::string& saved, const Display& display, base::Time now) {
   for (const std::string& line : summary(recorder.tally(), now)) say(line);
   if (display.lines_not_shown() > 0) {
-    say(fmt::format("{} lines are in the file but were not shown: standard output was too slow",
-                    display.lines_not_shown()));
+    say(plural(display.lines_not_shown(), "line") + " of the file not shown: standard output was too slow");
   }
   say("saved in " + saved);
 }

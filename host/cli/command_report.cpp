@@ -14,6 +14,7 @@
 #include "host/report/report.hpp"
 #include "host/result/thinned.hpp"
 #include "host/scene/load.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -119,8 +120,9 @@ void check(const ReportRequest& request) {
     throw Failure(Exit::kUsage, "only one of LOG, --scene and --camera can be standard input");
   }
   if (!request.scenes.empty() && request.scenes.size() != request.logs.size()) {
-    throw Failure(Exit::kUsage, fmt::format("{} logs and {} scenes; give one --scene for each log, in the same order",
-                                            request.logs.size(), request.scenes.size()));
+    throw Failure(Exit::kUsage,
+                  fmt::format("{} and {}; give one --scene for each log, in the same order",
+                              plural(request.logs.size(), "log"), plural(request.scenes.size(), "scene")));
   }
   if (!request.still) return;
   if (request.whole) throw Failure(Exit::kUsage, "--whole is of the page, which replays the log; leave out --static");

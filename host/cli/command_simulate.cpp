@@ -8,6 +8,7 @@
 #include "host/cli/files.hpp"
 #include "host/cli/replay_run.hpp"
 #include "host/cli/terminal.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -18,12 +19,12 @@ struct SimulateRequest {
 };
 
 void say_summary(const SimulationSummary& summary) {
-  say(fmt::format("{:.1f} s: {} frames with {} blobs, {} odometry samples", summary.duration, summary.frames,
-                  summary.blobs, summary.odometry));
-  if (summary.frames_dropped > 0) say(fmt::format("{} frames dropped by the scene's noise", summary.frames_dropped));
-  if (summary.blobs_dropped > 0) say(fmt::format("{} blobs beyond the camera's max_blobs", summary.blobs_dropped));
+  say(fmt::format("{:.1f} s: {} with {}, {}", summary.duration, plural(summary.frames, "frame"),
+                  plural(summary.blobs, "blob"), plural(summary.odometry, "odometry sample")));
+  if (summary.frames_dropped > 0) say(plural(summary.frames_dropped, "frame") + " dropped by the scene's noise");
+  if (summary.blobs_dropped > 0) say(plural(summary.blobs_dropped, "blob") + " beyond the camera's max_blobs");
   if (summary.frames_inside > 0) {
-    say(fmt::format("{} frames were exposed inside an object; move the path or the object", summary.frames_inside));
+    say(plural(summary.frames_inside, "frame") + " exposed inside an object; move the path or the object");
   }
 }
 

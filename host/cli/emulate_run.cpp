@@ -17,6 +17,7 @@
 #include "host/emulate/scene/server.hpp"
 #include "host/live/record_line.hpp"
 #include "host/scene/load.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -194,25 +195,25 @@ emulate::PlaybackSettings playback_settings(const EmulateRequest& request, const
 
 void say_counts(const emulate::Endpoint& endpoint) {
   const emulate::EndpointCounts& counts = endpoint.counts();
-  std::string line = fmt::format("{}: {} bytes heard, {} replies", endpoint.name(), counts.commands, counts.replies);
-  if (endpoint.fit()) line += fmt::format(", {} frames seen, {} skipped", counts.frames, counts.skipped);
+  std::string line = fmt::format("{}: {} heard, {}", endpoint.name(), plural(counts.commands, "byte"),
+                                 plural(counts.replies, "reply", "replies"));
+  if (endpoint.fit()) line += fmt::format(", {} seen, {} skipped", plural(counts.frames, "frame"), counts.skipped);
   say(line);
   if (const std::vector<std::string> names = endpoint.not_emulated(); !names.empty()) {
     say(fmt::format("  {} not emulated: {}", names.size(), fmt::join(names, ", ")));
   }
   if (endpoint.fit()) {
     const emulate::FitLosses& losses = endpoint.fit()->losses();
-    if (losses.signatures > 0) say(fmt::format("  {} blobs of signatures that it does not have", losses.signatures));
-    if (losses.blobs > 0) say(fmt::format("  {} blobs more than it can tell", losses.blobs));
-    if (losses.outside > 0) say(fmt::format("  {} boxes outside the image", losses.outside));
+    if (losses.signatures > 0)
+      say(fmt::format("  {} of signatures that it does not have", plural(losses.signatures, "blob")));
+    if (losses.blobs > 0) say(fmt::format("  {} more than it can tell", plural(losses.blobs, "blob")));
+    if (losses.outside > 0) say(fmt::format("  {} outside the image", plural(losses.outside, "box", "boxes")));
   }
   const emulate::FaultCounts& faults = endpoint.faults();
   if (faults.dropped + faults.corrupted + faults.stalled + faults.late + faults.reboots + faults.unplugs == 0) return;
-  say(
-      fmt::format("  faults: of {} bytes {} dropped, {} corrupted; of {} replies {} late, {} stalls; {} reboots, {} "
-                  "unplugs",
-                  faults.bytes, faults.dropped, faults.corrupted, faults.said, faults.late, faults.stalled,
-                  faults.reboots, faults.unplugs));
+  say(fmt::format("  faults: of {} {} dropped, {} corrupted; of {} {} late, {}; {}, {}", plural(faults.bytes, "byte"),
+                  faults.dropped, faults.corrupted, plural(faults.said, "reply", "replies"), faults.late,
+                  plural(faults.stalled, "stall"), plural(faults.reboots, "reboot"), plural(faults.unplugs, "unplug")));
 }
 
 }  // namespace

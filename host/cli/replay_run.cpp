@@ -8,6 +8,7 @@
 #include "host/import/import.hpp"
 #include "host/scene/load.hpp"
 #include "host/segment/setup_file.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -73,13 +74,12 @@ std::vector<std::string> what_was_left_out(const ReplayOutcome& outcome, const s
     const auto reason = static_cast<record::Reject>(i);
     const RejectedLines& rejected = log.rejected[i];
     if (rejected.count == 0) continue;
-    lines.push_back(fmt::format("{}{} line{} rejected: {}, first in line {} ({})", where, rejected.count,
-                                rejected.count == 1 ? "" : "s", record::name(reason), rejected.first_line,
-                                reject_remedy(reason)));
+    lines.push_back(fmt::format("{}{} rejected: {}, first in line {} ({})", where, plural(rejected.count, "line"),
+                                record::name(reason), rejected.first_line, reject_remedy(reason)));
   }
   const auto refused = [&](std::uint64_t count, const char* reason, const char* remedy) {
     if (count == 0) return;
-    lines.push_back(fmt::format("{}{} frame{} refused: {} ({})", where, count, count == 1 ? "" : "s", reason, remedy));
+    lines.push_back(fmt::format("{}{} refused: {} ({})", where, plural(count, "frame"), reason, remedy));
   };
   refused(log.refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clock");
   refused(log.refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");

@@ -53,8 +53,8 @@ std::string moment_name(std::optional<std::uint32_t> views) { return views ? std
 std::string object_heading(const ObjectEvaluation& object) {
   std::string line = fmt::format("{}: ", printable(object.name));
   if (object.found) {
-    line += fmt::format("object {}, {}, {} of {} frames", object.found->id, record::name(object.found->state),
-                        object.found->views, object.visible);
+    line += fmt::format("object {}, {}, {} of {}", object.found->id, record::name(object.found->state),
+                        object.found->views, plural(object.visible, "frame"));
     if (object.swaps.value_or(0) > 0) line += ", " + plural(*object.swaps, "identity swap");
     if (object.missed) line += ", missed";
   } else {

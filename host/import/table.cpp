@@ -12,6 +12,7 @@
 
 #include "host/import/text_lines.hpp"
 #include "host/text/gunzip.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 
@@ -79,7 +80,7 @@ std::vector<std::string> words_in(const std::string& line, std::string_view sepa
 
 void expect_count(std::size_t found, std::size_t expected, const std::string& names, const std::string& place) {
   if (found == expected) return;
-  throw ImportProblem{place, "has " + std::to_string(found) + " columns instead of " + std::to_string(expected),
+  throw ImportProblem{place, "has " + plural(found, "column") + " instead of " + std::to_string(expected),
                       "expected: " + names};
 }
 

@@ -9,6 +9,7 @@
 #include "firmware/loop/motion_permit.hpp"
 #include "hal/linux/wait.hpp"
 #include "host/live/log_keeper.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -248,10 +249,6 @@ class Run {
   RunSummary summary_;
 };
 
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::string refused_in(const console::Counters& counters) {
   constexpr std::array<std::string_view, console::kRefusals> kNames = {"no_pose", "odometry_gap", "no_camera", "queue"};
   std::uint64_t sum = 0;
@@ -268,17 +265,17 @@ std::string refused_in(const console::Counters& counters) {
 
 std::string RunSummary::sentence() const {
   std::string text = fmt::format("{:.1f} s: {}, {}, {}, {} rejected, {}", time.to_double(),
-                                 counted(counters.frames, "frame"), counted(counters.odometry, "odometry sample"),
-                                 refused_in(counters), counters.rejected, counted(alerts, "alert"));
-  if (console_lost > 0) text += fmt::format(", {} bytes that the console did not take", console_lost);
+                                 plural(counters.frames, "frame"), plural(counters.odometry, "odometry sample"),
+                                 refused_in(counters), counters.rejected, plural(alerts, "alert"));
+  if (console_lost > 0) text += ", " + plural(console_lost, "byte") + " that the console did not take";
   if (stalled >= linux::kNotedDelay) {
     text += fmt::format("\nthis machine was busy: inputs waited for up to {:.0f} ms", 1000 * stalled.to_double());
   }
   text += fmt::format("\ndigest {:016x}", digest);
   if (log.empty()) return text;
-  text += fmt::format(", log {} ({} bytes", log, log_bytes);
+  text += fmt::format(", log {} ({}", log, plural(log_bytes, "byte"));
   if (log_failed)
-    text += fmt::format(", broken off after {:.1f} s: {} bytes are not in it", log_until.to_double(), log_lost);
+    text += fmt::format(", broken off after {:.1f} s: without {}", log_until.to_double(), plural(log_lost, "byte"));
   return text + ")";
 }
 

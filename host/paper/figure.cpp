@@ -6,6 +6,7 @@
 
 #include "host/render/png.hpp"
 #include "host/report/markup.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -69,7 +70,7 @@ std::string landmark_name(std::size_t landmark) { return landmark == kRedLandmar
 double axis_end(const PaperData& data) { return static_cast<double>(data.shown.tour.frames.size() + 1); }
 
 std::string scenes_text(const PaperData& data, std::size_t scenes) {
-  return data.run.empty() ? fmt::format("{} scenes", scenes) : std::string("this run");
+  return data.run.empty() ? plural(scenes, "scene") : std::string("this run");
 }
 
 std::size_t frame_with_both(const Tour& tour, std::size_t from) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/text/plural.hpp"
+
 namespace fencepost::host {
 namespace {
 
@@ -12,10 +14,6 @@ std::string clock_text(base::Duration duration) {
   const std::int64_t seconds = duration.raw / base::Duration::kPerUnit;
   if (seconds < 3600) return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
   return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
-}
-
-std::string many(std::uint64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 void add(std::string& list, std::string_view name, std::uint64_t count) {
@@ -72,7 +70,7 @@ std::vector<std::string> items(const Tally& tally, base::Time now, bool connecte
       clock_text(now - tally.start()),
       fmt::format("{:.0f} lines/s", tally.rates().lines),
       in_bytes(tally.rates().bytes) + "/s",
-      many(tally.counts().records_of(record::Kind::kFrame), "frame"),
+      plural(tally.counts().records_of(record::Kind::kFrame), "frame"),
   };
   const auto add_item = [&all](std::string_view what, const std::string& text) {
     if (!text.empty()) all.push_back(fmt::format("{}{}", what, text));
@@ -114,18 +112,18 @@ std::string status_line(const Tally& tally, base::Time now, bool connected, std:
 std::vector<std::string> summary(const Tally& tally, base::Time now) {
   const record::Counts& counts = tally.counts();
   std::vector<std::string> lines = {
-      fmt::format("{:.1f} s: {}, {}", (now - tally.start()).to_double(), many(tally.lines(), "line"),
+      fmt::format("{:.1f} s: {}, {}", (now - tally.start()).to_double(), plural(tally.lines(), "line"),
                   in_bytes(static_cast<double>(tally.bytes()))),
-      fmt::format("{}: {}, {} of odometry; {}", many(counts.records, "record"),
-                  many(counts.records_of(record::Kind::kFrame), "frame"), counts.records_of(record::Kind::kOdometry),
-                  many(counts.foreign, "foreign line")),
+      fmt::format("{}: {}, {} of odometry; {}", plural(counts.records, "record"),
+                  plural(counts.records_of(record::Kind::kFrame), "frame"), counts.records_of(record::Kind::kOdometry),
+                  plural(counts.foreign, "foreign line")),
   };
   const auto add_line = [&lines](std::string_view what, const std::string& text) {
     if (!text.empty()) lines.push_back(fmt::format("{}{}", what, text));
   };
   add_line("rejected lines: ", rejects(counts));
   if (tally.losses().frames_missing() > 0) {
-    lines.push_back(fmt::format("missing by their numbers: {}", many(tally.losses().frames_missing(), "frame")));
+    lines.push_back(fmt::format("missing by their numbers: {}", plural(tally.losses().frames_missing(), "frame")));
   }
   add_line("losses reported by the robot: ", list_of(tally.losses().reported()));
   add_line("links at the end: ", all_links(tally.losses()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/console/text.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -257,11 +258,11 @@ std::optional<Unreadable> LogReplay::why_unreadable(const std::string& name) con
     return Unreadable{name + ": its lines end with CR alone; make them end with LF: tr '\\r' '\\n'"};
   }
   if (log.records == 0) {
-    return Unreadable{name + ": no record in " + std::to_string(reader_.line_number()) +
-                      " lines; a log has lines such as $FPODO,... and $FPFRM,... (console mode log)"};
+    return Unreadable{name + ": no record in " + plural(reader_.line_number(), "line") +
+                      "; a log has lines such as $FPODO,... and $FPFRM,... (console mode log)"};
   }
   if (log.frames == 0) return Unreadable{name + ": no frame record ($FPFRM); was a camera connected?"};
-  std::string message = name + ": none of " + std::to_string(log.frames) + " frames could be used";
+  std::string message = name + ": no frame of " + std::to_string(log.frames) + " could be used";
   if (log.refused.no_camera > 0) message += "; no calibration ($FPCAM) before them: give one with --camera";
   if (log.refused.no_pose > 0) message += "; no odometry ($FPODO) at their exposure: check latency and clock";
   if (log.refused.odometry_gap > 0) message += "; odometry stopped for more than 0.5 s around them";

@@ -6,6 +6,7 @@
 #include "host/report/map_path.hpp"
 #include "host/report/markup.hpp"
 #include "host/report/tables.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -43,8 +44,8 @@ std::string headline_figures(const ResultDocument& document) {
   const TimeRange range = time_range(document);
 
   std::string html = "<dl class=\"figures\">";
-  html +=
-      headline_figure(fmt::format("{}<small> of {} objects</small>", confirmed, document.objects.size()), "confirmed");
+  html += headline_figure(fmt::format("{}<small> of {}</small>", confirmed, plural(document.objects.size(), "object")),
+                          "confirmed");
   html += headline_figure(worst_level(document), "highest alert");
   html += headline_figure(closest(document), "closest alert");
   html += headline_figure(figure(range.end - range.begin, 1) + " s", "duration");

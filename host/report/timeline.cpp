@@ -11,6 +11,7 @@
 #include "host/report/palette.hpp"
 #include "host/report/ticks.hpp"
 #include "host/result/lookup.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -149,10 +150,9 @@ std::string alert_timeline(const ResultDocument& document) {
 
 std::string alert_table(const ResultDocument& document) {
   if (document.alerts.empty()) return {};
-  std::string html =
-      fmt::format("<details{}><summary>{} alert record{}</summary><div class=\"scroll\"><table><thead><tr>",
-                  document.alerts.size() <= kUnfolded ? " open=\"open\"" : "", document.alerts.size(),
-                  document.alerts.size() == 1 ? "" : "s");
+  std::string html = fmt::format("<details{}><summary>{}</summary><div class=\"scroll\"><table><thead><tr>",
+                                 document.alerts.size() <= kUnfolded ? " open=\"open\"" : "",
+                                 plural(document.alerts.size(), "alert record"));
   html +=
       "<th class=\"n\">time, s</th><th>level</th><th>object</th><th class=\"n\">distance, m</th>"
       "<th class=\"n\">bearing, \u00b0 (left +)</th><th class=\"n\">contact in, s</th>"

@@ -7,6 +7,7 @@
 #include "firmware/console/text.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/text.hpp"
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -72,10 +73,8 @@ std::string counts(const ResultDocument& document, std::uint64_t alerts) {
   const auto confirmed = std::count_if(document.objects.begin(), document.objects.end(), [](const ObjectResult& o) {
     return o.state != record::ObjectState::kTentative;  // lost ones are confirmed, only out of sight
   });
-  const auto plural = [](std::uint64_t n) { return n == 1 ? "" : "s"; };
-  return fmt::format("{} object{} ({} confirmed), {} alert{}, {} frame{}", document.objects.size(),
-                     plural(document.objects.size()), confirmed, alerts, plural(alerts), document.log.frames,
-                     plural(document.log.frames));
+  return fmt::format("{} ({} confirmed), {}, {}", plural(document.objects.size(), "object"), confirmed,
+                     plural(alerts, "alert"), plural(document.log.frames, "frame"));
 }
 
 std::string summary_line(const ResultDocument& document, std::uint64_t alerts) {

@@ -7,6 +7,7 @@
 
 #include "host/import/text_lines.hpp"
 #include "host/segment/problem.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -51,8 +52,7 @@ std::string name_in(std::string_view line, std::string_view last_before) {
 CameraStand colmap_stand(std::string_view line, const std::string& place) {
   const std::vector<std::string_view> words = words_of(line);
   if (words.size() < kColmapColumns) {
-    throw SegmentProblem{place, "has " + std::to_string(words.size()) + " columns",
-                         std::string("a line is: ") + kColmapForm};
+    throw SegmentProblem{place, "has " + plural(words.size(), "column"), std::string("a line is: ") + kColmapForm};
   }
   const auto v = numbers<kColmapColumns - 1>(words, place, kColmapForm);
   const Eigen::Matrix3d camera_r_world = rotation(v[1], v[2], v[3], v[4], place);
@@ -115,8 +115,7 @@ std::vector<CameraStand> parse_tum(std::string_view text, const std::string& fil
     const std::string place = file + ":" + std::to_string(number);
     const std::vector<std::string_view> words = words_of(shown);
     if (words.size() != kTumColumns) {
-      throw SegmentProblem{place, "has " + std::to_string(words.size()) + " columns",
-                           std::string("a line is: ") + kTumForm};
+      throw SegmentProblem{place, "has " + plural(words.size(), "column"), std::string("a line is: ") + kTumForm};
     }
     const auto v = numbers<kTumColumns>(words, place, kTumForm);
     CameraStand stand;

@@ -7,6 +7,7 @@
 #include "host/import/text_lines.hpp"
 #include "host/segment/pinhole.hpp"
 #include "host/segment/problem.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -65,8 +66,7 @@ sensor::CameraIntrinsics camera_of(const First& line, const std::string& place) 
   }
   const std::vector<double> values = numbers_of(line, place);
   if (values.size() != 2 + model->numbers) {
-    throw SegmentProblem{place, "has " + std::to_string(values.size()) + " numbers",
-                         "it is as COLMAP writes cameras.txt"};
+    throw SegmentProblem{place, "has " + plural(values.size(), "number"), "it is as COLMAP writes cameras.txt"};
   }
   const auto at = [&](int index) { return index < 0 ? 0.0 : values[2 + static_cast<std::size_t>(index)]; };
   Pinhole pinhole{values[0], values[1], at(0), at(model->fy), at(model->cx) - kCorner, at(model->cx + 1) - kCorner, {}};

@@ -11,6 +11,7 @@
 
 #include "host/import/text_lines.hpp"
 #include "host/segment/problem.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 
@@ -87,9 +88,9 @@ class Header {
 ImagePose to_row(std::string_view line, const Header& header, std::size_t number, const std::string& place) {
   const std::vector<std::string_view> fields = fields_of(line);
   if (fields.size() != header.width()) {
-    throw SegmentProblem{
-        place, "has " + std::to_string(fields.size()) + " columns instead of " + std::to_string(header.width()),
-        "correct the line; names of images cannot hold commas"};
+    throw SegmentProblem{place,
+                         "has " + plural(fields.size(), "column") + " instead of " + std::to_string(header.width()),
+                         "correct the line; names of images cannot hold commas"};
   }
   ImagePose row;
   row.line = number;

@@ -10,6 +10,7 @@
 #include "host/import/text_lines.hpp"
 #include "host/segment/camera_path.hpp"
 #include "host/segment/problem.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -106,7 +107,7 @@ PosesTable read_poses(std::string_view text, const std::string& file, const std:
     table.notes.push_back(file + " has lengths without unit: say how many metres one of them is with --scale");
   }
   if (unplaced > 0) {
-    table.notes.push_back(std::to_string(unplaced) + " images are left out: no pose of " + file + " within 0.2 s");
+    table.notes.push_back(plural(unplaced, "image") + " left out: no pose of " + file + " within 0.2 s");
   }
   return table;
 }

@@ -8,6 +8,7 @@
 #include "host/result/geojson.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/to_json.hpp"
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host {
@@ -94,9 +95,10 @@ Json findings_json(const Smoothed& smoothed) {
 }  // namespace
 
 std::string smooth_text(const Smoothed& smoothed, const std::string& log_name) {
-  std::string text = fmt::format("{}: {} frames, {} poses, {} objects, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n",
-                                 printable(log_name), smoothed.frames, smoothed.poses, smoothed.objects.size(),
-                                 smoothed.seconds, smoothed.driven, smoothed.turned * kDegrees);
+  std::string text = fmt::format("{}: {}, {}, {}, {:.0f} s, {:.1f} m, {:.0f} degrees turned\n\n", printable(log_name),
+                                 plural(smoothed.frames, "frame"), plural(smoothed.poses, "pose"),
+                                 plural(smoothed.objects.size(), "object"), smoothed.seconds, smoothed.driven,
+                                 smoothed.turned * kDegrees);
   text += object_rows(smoothed) + "\n" + what_was_done(smoothed) + calibration_rows(smoothed) + par_rows(smoothed.par);
   return text;
 }

@@ -96,7 +96,7 @@ ROOMS = {
     "host/recorder": "host/live",
     "host/view": "host/live",
     "host/monitor": "firmware/console host/geometry host/text",
-    "host/emulate/models": "firmware/record hal/bus",
+    "host/emulate/models": "firmware/record hal/bus host/text",
     "host/emulate/transport": "hal/linux host/emulate/models",
     "host/emulate/scene": "host/emulate/transport host/simulate",
     "host/configure": "hal/mcu host/live",

@@ -17,6 +17,7 @@
 #include "host/paper/paper.hpp"
 #include "host/segment/image_file.hpp"
 #include "host/segment/image_list.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -46,8 +47,8 @@ std::function<Picture(std::uint32_t)> photographs(const std::string& folder, con
   for (const FrameTruth& frame : tour.frames) {
     if (frame.frame.frame < files.size()) continue;
     throw Failure(Exit::kUnreadable,
-                  fmt::format("{}: {} images, but the run has a frame {}; name the folder that the run was made of",
-                              folder, files.size(), frame.frame.frame));
+                  fmt::format("{}: {}, but the run has a frame {}; name the folder that the run was made of", folder,
+                              plural(files.size(), "image"), frame.frame.frame));
   }
   const sensor::CameraIntrinsics camera = tour.scene.camera;
   return [files, camera](std::uint32_t frame) {

@@ -13,6 +13,7 @@
 #include "host/segment/read_poses.hpp"
 #include "host/segment/segment.hpp"
 #include "host/segment/setup_file.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -93,16 +94,11 @@ SegmentHooks hooks_for(const SegmentRequest& request, const std::vector<View>& v
   return hooks;
 }
 
-/// "1 region", "2 regions".
-std::string counted(std::size_t count, const char* thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 void say_counts(const SegmentSummary& summary) {
-  say(fmt::format("{} of {} x {} px, {}", counted(summary.frames, "image"), summary.width, summary.height,
-                  counted(summary.blobs, "blob")));
+  say(fmt::format("{} of {} x {} px, {}", plural(summary.frames, "image"), summary.width, summary.height,
+                  plural(summary.blobs, "blob")));
   const auto say_if = [](std::size_t count, const char* thing, const char* what) {
-    if (count > 0) say(counted(count, thing) + " " + what);
+    if (count > 0) say(plural(count, thing) + " " + what);
   };
   say_if(summary.empty, "image", "with nothing but background");
   say_if(summary.merged, "region", "joined to another of the same signature");
@@ -113,8 +109,8 @@ void say_counts(const SegmentSummary& summary) {
 void say_colours(const SegmentSummary& summary) {
   for (const SignatureUse& use : summary.signatures) {
     const record::Signature& signature = use.signature;
-    say(fmt::format("signature {:3} {} {}: in {} images", signature.signature, rgb_text(signature.rgb),
-                    signature.name.view(), use.images));
+    say(fmt::format("signature {:3} {} {}: in {}", signature.signature, rgb_text(signature.rgb), signature.name.view(),
+                    plural(use.images, "image")));
   }
   const auto say_list = [](const char* what, const std::vector<sensor::Rgb>& colours) {
     if (colours.empty()) return;
@@ -127,7 +123,7 @@ void say_colours(const SegmentSummary& summary) {
 }
 
 void say_table(const PosesTable& table, const ImageList& list) {
-  if (list.without_pose > 0) say(counted(list.without_pose, "image") + " left out: not in " + table.file);
+  if (list.without_pose > 0) say(plural(list.without_pose, "image") + " left out: not in " + table.file);
   if (table.made_up_times) say(table.file + " tells no times: they are made up, one image every 0.1 s");
   if (table.shifted_times) say("t counts from the first image: the stream's clock ends at 999999 s");
   for (const std::string& note : table.notes) say(note);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/text/plural.hpp"
+
 namespace fencepost::host::doctor {
 namespace {
 
@@ -40,9 +42,8 @@ void diagnose_rejects(const LogSurvey& survey, Findings& findings) {
     if (reject.lines == 0) continue;
     const bool only_the_end = reason == record::Reject::kTruncated;
     findings.push_back({only_the_end ? kNote : kFault, Code::of(record::name(reason)),
-                        fmt::format("{} line{} rejected ({}), {:.2g} % of all, first in line {}", reject.lines,
-                                    reject.lines == 1 ? "" : "s", record::name(reason), percent(reject.lines, lines),
-                                    reject.first_line),
+                        fmt::format("{} rejected ({}), {:.2g} % of all, first in line {}", plural(reject.lines, "line"),
+                                    record::name(reason), percent(reject.lines, lines), reject.first_line),
                         reject_remedy(reason)});
   }
   if (survey.counts.foreign > kManyForeign * lines) {
@@ -67,18 +68,17 @@ void diagnose_rates(const LogSurvey& survey, Findings& findings) {
                         "poses between are interpolated: send them at least 20 times a second"});
   }
   if (survey.camera.gaps > 0) {
-    findings.push_back(
-        {kWarning, "camera_gaps",
-         fmt::format("{} gap{} in the frames, the longest {:.2f} s at {:.2f} s", survey.camera.gaps,
-                     survey.camera.gaps == 1 ? "" : "s", survey.camera.longest, survey.camera.longest_at),
-         "a loose plug, a camera that starts again, or a loop that waits"});
+    findings.push_back({kWarning, "camera_gaps",
+                        fmt::format("{} in the frames, the longest {:.2f} s at {:.2f} s",
+                                    plural(survey.camera.gaps, "gap"), survey.camera.longest, survey.camera.longest_at),
+                        "a loose plug, a camera that starts again, or a loop that waits"});
   }
   if (survey.odometry.gaps > 0) {
     const bool refused = survey.odometry.longest > kLongestGap;
     findings.push_back(
         {refused ? kFault : kWarning, "odometry_gaps",
-         fmt::format("{} gap{} in the odometry, the longest {:.2f} s at {:.2f} s", survey.odometry.gaps,
-                     survey.odometry.gaps == 1 ? "" : "s", survey.odometry.longest, survey.odometry.longest_at),
+         fmt::format("{} in the odometry, the longest {:.2f} s at {:.2f} s", plural(survey.odometry.gaps, "gap"),
+                     survey.odometry.longest, survey.odometry.longest_at),
          refused ? "frames in gaps above 0.5 s are refused: find what holds the wheels' controller up"
                  : "find what holds the wheels' controller up"});
   }
@@ -89,7 +89,7 @@ void diagnose_refused(const RefusedFrames& refused, Findings& findings) {
     if (count == 0) return;
     const bool edges = count <= kAtTheEdges && std::string_view(reason) == "no_pose";
     findings.push_back({edges ? kNote : kFault, Code::of(std::string("refused_") + reason),
-                        fmt::format("{} frame{} refused: {}", count, count == 1 ? "" : "s", reason), remedy});
+                        fmt::format("{} refused: {}", plural(count, "frame"), reason), remedy});
   };
   add(refused.no_pose, "no_pose", "no odometry at their exposure: check latency and clocks");
   add(refused.odometry_gap, "odometry_gap", "odometry paused for more than 0.5 s");
@@ -98,31 +98,31 @@ void diagnose_refused(const RefusedFrames& refused, Findings& findings) {
 
 void diagnose_losses(const LogSurvey& survey, Findings& findings) {
   if (survey.frames_missing > 0) {
-    findings.push_back({kWarning, "frames_missing", fmt::format("{} frame numbers are missing", survey.frames_missing),
+    findings.push_back({kWarning, "frames_missing", plural(survey.frames_missing, "frame number") + " missing",
                         "the camera made them, nobody read them in time: a faster port, or a loop that waits less"});
   }
   const ReportedLosses& lost = survey.reported;
   if (lost.records_dropped > 0) {
     findings.push_back({kWarning, "records_dropped",
-                        fmt::format("the robot could not write {} records", lost.records_dropped),
+                        "the robot could not write " + plural(lost.records_dropped, "record"),
                         "raise the console's baud, or a faster card"});
   }
   if (lost.blobs_dropped > 0) {
-    findings.push_back({kNote, "blobs_dropped",
-                        fmt::format("{} blobs were more than 16 in a frame", lost.blobs_dropped),
+    findings.push_back({kNote, "blobs_dropped", plural(lost.blobs_dropped, "blob") + " beyond 16 in a frame",
                         "train fewer colours, or raise the camera's least size of a blob"});
   }
   // Frames that the robot refused and its log does not have: no room to write them.
   const RefusedFrames& here = survey.replayed.result.log.refused;
   const std::uint64_t explained = here.no_pose + here.odometry_gap + here.no_camera;
   if (lost.refused > explained) {
-    findings.push_back({kFault, "refused_queue",
-                        fmt::format("the robot refused {} frames that it could not log", lost.refused - explained),
-                        "the console could not keep up: raise its baud, or a faster card"});
+    findings.push_back(
+        {kFault, "refused_queue",
+         fmt::format("the robot refused {} that it could not log", plural(lost.refused - explained, "frame")),
+         "the console could not keep up: raise its baud, or a faster card"});
   }
   if (lost.rejected > 0) {
     findings.push_back({kWarning, "robot_rejected",
-                        fmt::format("the robot rejected {} lines that came to it", lost.rejected),
+                        fmt::format("the robot rejected {} that came to it", plural(lost.rejected, "line")),
                         "check what sends them and the baud of that line"});
   }
 }
@@ -131,8 +131,8 @@ void diagnose_links(const LogSurvey& survey, Findings& findings) {
   for (const auto& [device, trouble] : survey.links) {
     if (trouble.seconds < 0.1) continue;
     findings.push_back({kFault, Code::of("link_" + trouble.state),
-                        fmt::format("{} did not work {} time{}, {:.1f} s in all, last it was {}", device, trouble.times,
-                                    trouble.times == 1 ? "" : "s", trouble.seconds, trouble.state),
+                        fmt::format("{} did not work {}, {:.1f} s in all, last it was {}", device,
+                                    plural(trouble.times, "time"), trouble.seconds, trouble.state),
                         trouble.state == "unready"
                             ? "it answers but cannot work: nothing trained, or still starting"
                             : "check its plug and its power, then 'fencepost doctor' on its port"});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/doctor/log/diagnose.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::doctor {
 namespace {
@@ -108,10 +109,10 @@ void diagnose_calibration(const LogSurvey& survey, const std::vector<sensor::Cam
     return;
   }
   if (survey.calibrations.size() > survey.runs) {
-    findings.push_back({kWarning, "calibration_changed",
-                        fmt::format("the calibration changed: {} in {} run{}", survey.calibrations.size(), survey.runs,
-                                    survey.runs == 1 ? "" : "s"),
-                        "'replay --diff' shows two logs' numbers beside each other"});
+    findings.push_back(
+        {kWarning, "calibration_changed",
+         fmt::format("the calibration changed: {} in {}", survey.calibrations.size(), plural(survey.runs, "run")),
+         "'replay --diff' shows two logs' numbers beside each other"});
   }
   const sensor::CameraIntrinsics& camera = survey.calibrations.back();
   check_lens(camera, findings);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/doctor/log/diagnose.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::doctor {
 namespace {
@@ -35,9 +36,9 @@ void diagnose_clock(const LogSurvey& survey, Findings& findings) {
   if (survey.first_jump) {
     findings.push_back(
         {kFault, "odometry_jumps",
-         fmt::format("the pose jumped {} time{}, first at {:.2f} s: {:.2f} m and {:.0f} deg in {:.2f} s",
-                     survey.pose_jumps, survey.pose_jumps == 1 ? "" : "s", survey.first_jump->t,
-                     survey.first_jump->distance, degrees(survey.first_jump->turn), survey.first_jump->interval),
+         fmt::format("the pose jumped {}, first at {:.2f} s: {:.2f} m and {:.0f} deg in {:.2f} s",
+                     plural(survey.pose_jumps, "time"), survey.first_jump->t, survey.first_jump->distance,
+                     degrees(survey.first_jump->turn), survey.first_jump->interval),
          "a counter that wrapped or was reset, wrong units, or somebody carried the robot"});
   }
   const bool stood = survey.path < kStandsStill && survey.turned < kStandsStill;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/text/plural.hpp"
 #include "host/text/printable.hpp"
 
 namespace fencepost::host::doctor {
@@ -15,7 +16,7 @@ std::string stream_line(const char* name, const Spacing& spacing) {
   std::string text = fmt::format("  {:<9} {:>7} records", name, spacing.count);
   if (spacing.count < 2) return text + "\n";
   text += fmt::format(", {:.1f} a second, longest gap {:.2f} s", spacing.rate, spacing.longest);
-  return text + (spacing.gaps > 0 ? fmt::format(", {} gaps\n", spacing.gaps) : "\n");
+  return text + (spacing.gaps > 0 ? ", " + plural(spacing.gaps, "gap") + "\n" : "\n");
 }
 
 std::string camera_line(const LogSurvey& survey) {
@@ -58,8 +59,8 @@ std::string colour_name(const LogSurvey& survey, std::uint8_t signature) {
 }
 
 std::string survey_text(const LogSurvey& survey) {
-  return fmt::format("{}: {:.1f} s, {} run{}, {:.2f} m driven\n", printable(survey.name), survey.seconds, survey.runs,
-                     survey.runs == 1 ? "" : "s", survey.path) +
+  return fmt::format("{}: {:.1f} s, {}, {:.2f} m driven\n", printable(survey.name), survey.seconds,
+                     plural(survey.runs, "run"), survey.path) +
          stream_line("camera", survey.camera) + stream_line("odometry", survey.odometry) +
          fmt::format("  {:<9} {:>7} records, {} foreign, {} rejected\n", "lines", survey.counts.records,
                      survey.counts.foreign, survey.counts.rejected()) +

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/emulate/models/messages.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -174,7 +175,7 @@ std::string Cognachrome::hex_field() {
 }
 
 std::string describe_cognachrome(bool from_host, std::span<const std::uint8_t> bytes) {
-  if (!from_host && bytes[0] == 0xFF) return std::to_string(bytes.size() / 7) + " objects";
+  if (!from_host && bytes[0] == 0xFF) return host::plural(bytes.size() / 7, "object");
   return describe_text(from_host, bytes);
 }
 

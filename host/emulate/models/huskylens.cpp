@@ -4,6 +4,7 @@
 #include <array>
 
 #include "host/emulate/models/messages.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -150,7 +151,7 @@ std::string describe_huskylens(bool from_host, std::span<const std::uint8_t> byt
     case 0x24:
     case 0x26:
     case 0x27: return "ask blocks";
-    case 0x29: return "INFO, " + std::to_string(bytes[5]) + " objects";
+    case 0x29: return "INFO, " + host::plural(bytes[5], "object");
     case 0x2C: return "knock";
     case 0x2D: return "set algorithm";
     case 0x2E: return "OK";

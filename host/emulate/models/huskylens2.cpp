@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "host/emulate/models/messages.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::emulate {
 namespace {
@@ -104,7 +105,7 @@ std::string describe_huskylens2(bool /*from_host*/, std::span<const std::uint8_t
     case 0x30: return "set algorithm";
     case 0x40: return "OK";
     case 0x41: return "error";
-    case 0x42: return bytes.size() > 7 ? "INFO, " + std::to_string(bytes[7]) + " objects" : "INFO";
+    case 0x42: return bytes.size() > 7 ? "INFO, " + host::plural(bytes[7], "object") : "INFO";
     default: return {};
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "host/text/plural.hpp"
+
 namespace fencepost::emulate {
 namespace {
 
@@ -75,7 +77,7 @@ std::string hex_of(View bytes, std::size_t most) {
 std::string describe_pixy2(bool /*from_host*/, View bytes) {
   if (bytes.size() < 4 || (bytes[0] != 0xAE && bytes[0] != 0xAF) || bytes[1] != 0xC1) return {};
   constexpr std::size_t kBlock = 14;
-  if (bytes[2] == 0x21) return std::to_string(bytes[3] / kBlock) + " blocks";
+  if (bytes[2] == 0x21) return host::plural(bytes[3] / kBlock, "block");
   if (bytes[2] == 0x03 && bytes.size() >= 7) {
     return "error " + look_up(kPixy2Errors, static_cast<std::int8_t>(bytes[6]));
   }
@@ -106,7 +108,7 @@ std::string describe_nxtcam5(bool from_host, View bytes) {
   switch (bytes[3]) {
     case 1: return from_host ? "ask version" : "version";
     case 3: return std::string("command '") + static_cast<char>(bytes[4]) + "'";
-    case 4: return std::to_string(bytes.size() / kNxtCam5Blob) + " blobs";
+    case 4: return host::plural(bytes.size() / kNxtCam5Blob, "blob");
     default: return {};
   }
 }
@@ -114,7 +116,7 @@ std::string describe_nxtcam5(bool from_host, View bytes) {
 std::string describe_text(bool /*from_host*/, View bytes) { return quoted(bytes); }
 
 std::string describe_avrcam(bool from_host, View bytes) {
-  if (!from_host && bytes[0] == 0x0A && bytes.size() > 1) return std::to_string(bytes[1]) + " objects";
+  if (!from_host && bytes[0] == 0x0A && bytes.size() > 1) return host::plural(bytes[1], "object");
   return quoted(bytes);
 }
 

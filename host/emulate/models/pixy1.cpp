@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/text/plural.hpp"
+
 namespace fencepost::emulate {
 namespace {
 
@@ -128,7 +130,7 @@ std::string describe_pixy1(bool from_host, std::span<const std::uint8_t> bytes) 
   }
   if (marks == 0) return "nothing";
   const std::size_t blocks = bytes.size() / 14;
-  return std::string(marks > blocks ? "image, " : "") + std::to_string(blocks) + (blocks == 1 ? " block" : " blocks");
+  return std::string(marks > blocks ? "image, " : "") + host::plural(blocks, "block");
 }
 
 }  // namespace fencepost::emulate

@@ -4,6 +4,7 @@
 
 #include "host/import/table.hpp"
 #include "host/import/text_lines.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -89,7 +90,7 @@ void CsvReader::each(const std::function<void(const CsvRow&)>& take) const {
     const std::size_t width = fields(lines_[i]).size();
     if (width != names_.size()) {
       throw ImportProblem{row.place(),
-                          "has " + std::to_string(width) + " columns instead of " + std::to_string(names_.size()),
+                          "has " + plural(width, "column") + " instead of " + std::to_string(names_.size()),
                           "correct the line or take it out"};
     }
     take(row);

@@ -8,6 +8,7 @@
 #include "host/import/mcap/mcap_file.hpp"
 #include "host/import/table.hpp"
 #include "host/import/text_lines.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -176,7 +177,7 @@ class McapImport {
       topics +=
           (topics.empty() ? "" : ", ") + quoted(std::string_view(topic)) + " of " + quoted(std::string_view(schema));
     }
-    return {file_, "has " + std::to_string(number_) + " messages, none of Detection2DArray or Odometry",
+    return {file_, "has " + plural(number_, "message") + ", none of Detection2DArray or Odometry",
             topics.empty() ? "record some with 'ros2 bag record'" : "it has " + topics};
   }
   void take_cdr(const McapMessage& message, bool boxes) {

@@ -140,6 +140,17 @@ TEST(Report, WritesThePageBesideUnlessToldWhere) {
   EXPECT_TRUE(holds(piped.out, R"("profile":"small"})"));
 }
 
+TEST(Simulate, OneOfAThingIsNamedAsOne) {
+  spill("one.json", R"({"format": 1,
+    "camera": {"width": 160, "height": 120, "fx": 150, "fy": 150, "cx": 79.5, "cy": 59.5, "mount": {"z": 0.1}},
+    "signatures": [{"id": 1, "rgb": "d02020"}],
+    "objects": [{"signature": 1, "height": 0.2, "footprint": {"circle": [1, 0, 0.05]}}],
+    "path": {"type": "poses", "poses": [{"t": 0, "x": 0, "y": 0, "heading": 0},
+                                        {"t": 0.001, "x": 0, "y": 0, "heading": 0}]}})");
+  EXPECT_EQ(shell("fencepost simulate one.json -o one.log").err, "0.0 s: 1 frame with 1 blob, 2 odometry samples\n");
+  EXPECT_TRUE(holds(shell("fencepost evaluate one.log").out, "object 1, tentative, 1 of 1 frame\n"));
+}
+
 TEST(Report, PutsSeveralLogsSideBySide) {
   const Outcome run = shell("cp " + kLog +
                             " a.log; sed '5s/,/;/2' a.log >b.log; echo foreign >c.log; "
@@ -151,7 +162,7 @@ TEST(Report, PutsSeveralLogsSideBySide) {
   const std::string page = slurp("fencepost-report.html");
   for (const char* name : {"a.log", "b.log", "c.log"}) EXPECT_TRUE(holds(page, R"({"name":")" + std::string(name)));
   EXPECT_TRUE(ends(shell("fencepost report a.log b.log --scene " + kScene), 2,
-                   "2 logs and 1 scenes; give one --scene for each log"));
+                   "2 logs and 1 scene; give one --scene for each log"));
   EXPECT_EQ(shell("fencepost report a.log b.log --scene " + kScene + " --scene " + kScene).exit_code, 0);
   EXPECT_EQ(shell("fencepost report - b.log --scene - </dev/null").exit_code, 2);
 }

@@ -1,7 +1,9 @@
 // Importers as their users call them, and packed files.
 #include <gtest/gtest.h>
 
+#include "firmware/record/encode.hpp"
 #include "tests/host/cli/run.hpp"
+#include "tests/host/simulate/recorded.hpp"
 
 namespace fencepost::host {
 namespace {
@@ -27,7 +29,7 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
   spill("poses.csv", poses);
   const Outcome run = shell("fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.err, "20 frames with 20 blobs, 20 odometry samples\nleft out: 20 lines of no known form\n");
+  EXPECT_EQ(run.err, "20 frames with 20 blobs, 20 odometry samples\nleft out: lines of no known form (20)\n");
   const Outcome map = shell("fencepost replay run.log");
   EXPECT_EQ(map.exit_code, 0) << map.err;
   EXPECT_TRUE(holds(map.out, "signature1 confirmed"));
@@ -36,11 +38,47 @@ TEST(ImportCommand, ASketchWithPosesBecomesAMap) {
 TEST(ImportCommand, OneOfAThingIsNamedAsOne) {
   spill("monitor.txt",
         "12:00:00.000 -> Detected 1\n"
-        "12:00:00.000 ->   block 0: sig: 1 x: 89 y: 90 width: 14 height: 40 index: 1 age: 0\n");
+        "12:00:00.000 ->   block 0: sig: 1 x: 89 y: 90 width: 14 height: 40 index: 1 age: 0\nrubbish\n");
   spill("poses.csv", "t,x,y,heading\n43200,0,0,0\n");
   const Outcome run = shell("fencepost import sketch monitor.txt --camera pixy2 --poses poses.csv -o run.log");
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.err, "1 frame with 1 blob, 1 odometry sample\n");
+  EXPECT_EQ(run.err, "1 frame with 1 blob, 1 odometry sample\nleft out: lines of no known form (1)\n");
+}
+
+template <class Record>
+std::string line_of(const Record& record) {
+  std::array<char, record::kMaxLine> line{};
+  return {line.data(), record::encode(record, line)};
+}
+
+TEST(ImportCommand, WhatWasExportedToMcapComesBackWithTheIdsOfItsTracker) {
+  sensor::CameraIntrinsics camera;
+  camera.model = "test";
+  camera.width = 316;
+  camera.height = 208;
+  camera.fx = camera.fy = base::Pixels2::nearest(270);
+  sensor::Blob near{1, 100, 90, 119, 130, base::Pixels1::nearest(109.5), base::Pixels1::nearest(110), 0, {}};
+  sensor::Blob far{1, 200, 90, 209, 110, base::Pixels1::nearest(204.5), base::Pixels1::nearest(100), 0, {}};
+  near.track = 1;
+  std::string log = line_of(camera);
+  std::vector<sensor::BlobFrame> frames;
+  for (std::int64_t t = 1'000; t < 9'000; t += 1'000) {
+    if (t == 4'000) far.track = 2;
+    log += line_of(sensor::OdometrySample{base::Time{t}, {}, {}, {}});
+    frames.push_back({base::Time{t}, static_cast<std::uint32_t>(frames.size()), {}});
+    for (const sensor::Blob& blob : {near, far}) ASSERT_TRUE(frames.back().blobs.push_back(blob));
+    log += line_of(frames.back());
+  }
+  spill("run.log", log);
+  for (const std::string format : {"mcap", "mcap-ros2"}) {
+    const Outcome run = shell("fencepost export run.log --format " + format +
+                              " -o run.mcap && "
+                              "fencepost import mcap run.mcap --camera run.log");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Recorded back = read_back(run.out);
+    ASSERT_EQ(back.frames.size(), frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) EXPECT_EQ(back.frames[i].blobs, frames[i].blobs) << format << i;
+  }
 }
 
 TEST(ImportCommand, SaysWhatIsMissing) {

@@ -144,7 +144,7 @@ TEST(EvaluateCommand, OneBadLogIsNamedAndTheRestIsJudged) {
   const Outcome rest = shell("fencepost evaluate --json " + good);
   const Outcome all = shell("fencepost evaluate --json bad.log " + good + " alone.log");
   EXPECT_EQ(all.exit_code, 3);
-  EXPECT_TRUE(holds(all.err, "bad.log: no record in 1 lines"));
+  EXPECT_TRUE(holds(all.err, "bad.log: no record in 1 line"));
   EXPECT_TRUE(holds(all.err, "alone.log: no scene alone.json beside it"));
   EXPECT_TRUE(all.err.ends_with("2 of 4 logs could not be judged, see above\n")) << all.err;
   json document = json::parse(all.out);

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"d", "0.1 0 0 2\n0.1\n", "/d:1", "more bearings than the file has"},
                     Damage{"d", "0.1 0 0 1\nleft\n", "/d:2", "not a number"},
                     Damage{"lm.txt", "3\n1 2\n3 4\n", "/lm.txt:1", "another number of cones than the 2"},
-                    Damage{"lm.txt", "1\n1\n", "/lm.txt:2", "1 columns instead of 2"}));
+                    Damage{"lm.txt", "1\n1\n", "/lm.txt:2", "1 column instead of 2"}));
 
 TEST(CycloidData, HasItsFrames) {
   const std::string folder = std::string(FENCEPOST_SHARED_DIR) + "/data/world/cycloid";

@@ -559,7 +559,7 @@ TEST(ImportMcap, RefusesAChunkWithinAChunk) {
 TEST(ImportMcap, SaysWhatThereIsInstead) {
   const std::string others = channel(3, "std_msgs/msg/String", "/chatter", "cdr") + message(3, "noise");
   EXPECT_EQ(import_mcap(file_of(others), "run.mcap", {}, settings()).error().message(),
-            "run.mcap: has 1 messages, none of Detection2DArray or Odometry; it has \"/chatter\" of "
+            "run.mcap: has 1 message, none of Detection2DArray or Odometry; it has \"/chatter\" of "
             "\"std_msgs/msg/String\"");
 }
 

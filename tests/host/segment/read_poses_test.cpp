@@ -98,7 +98,7 @@ TEST(TumPoses, BelongToImagesByTheTimesInTheirNames) {
   EXPECT_NEAR(table.rows[2].pose.t - table.rows[0].pose.t, 0.975, 1e-6);
   EXPECT_TRUE(table.shifted_times);
   ASSERT_EQ(table.notes.size(), 1U);
-  EXPECT_NE(table.notes[0].find("1 images are left out"), std::string::npos);
+  EXPECT_NE(table.notes[0].find("1 image left out"), std::string::npos);
 }
 
 TEST(TumPoses, TakeEurocsNanoseconds) {

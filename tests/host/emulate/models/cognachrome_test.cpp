@@ -65,7 +65,7 @@ TEST(CognachromeModel, SendsTeamBotsStream) {
 }
 
 TEST(CognachromeModel, IsDescribed) {
-  EXPECT_EQ(describe_cognachrome(false, hex("FF 61 00 78 00 50 02 5C")), "1 objects");
+  EXPECT_EQ(describe_cognachrome(false, hex("FF 61 00 78 00 50 02 5C")), "1 object");
   EXPECT_EQ(describe_cognachrome(true, hex("FE 03 71")), "\"\\xFE\\x03q\"");
 }
 

@@ -19,7 +19,7 @@ TEST(Messages, SayWhatTheBytesMean) {
   EXPECT_EQ(describe_nxt(true, hex("03 00 00 06 01")), "get output state");
   EXPECT_EQ(describe_nxt(false, hex("03 00 02 05 C0")), "set input mode: out of range");
   EXPECT_EQ(describe_nxtcam5(true, hex("55 AA 01 03 45 48")), "command 'E'");
-  EXPECT_EQ(describe_nxtcam5(false, hex("55 AA 07 04 02 00 02 3C 28 52 47 0B")), "1 blobs");
+  EXPECT_EQ(describe_nxtcam5(false, hex("55 AA 07 04 02 00 02 3C 28 52 47 0B")), "1 blob");
   EXPECT_EQ(describe_avrcam(false, hex("0A 02 02 3C 28 50 46")), "2 objects");
 }
 
