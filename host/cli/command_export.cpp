@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "host/export/nav2_map.hpp"
 #include "host/result/lookup.hpp"
 #include "host/result/thinned.hpp"
+#include "host/text/plural.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -77,7 +79,8 @@ std::string write_nav2(const exports::Run& run, const ExportRequest& request) {
                                             exports::kMaxCells / 1e6));
   }
   write_output(image, map->pgm);
-  say(fmt::format("wrote {}: {} cells occupied, {} free, all others unknown", image, map->occupied, map->free));
+  say(fmt::format("wrote {}: {} occupied, {} free, all others unknown", image, plural(map->occupied, "cell"),
+                  map->free));
   return map->yaml;
 }
 
@@ -195,6 +198,9 @@ Exit run(ExportRequest request) {
   }
   if (request.options.from && request.options.to && *request.options.from > *request.options.to) {
     throw Failure(Exit::kUsage, "--from is later than --to; swap them");
+  }
+  if (!request.at.empty() && std::abs(request.at[0]) > 90) {
+    throw Failure(Exit::kUsage, fmt::format("--at: {} is no latitude; it comes first, -90 to 90", request.at[0]));
   }
   const Format& format = format_of(request);
   if (format.lab) need_lab("export to PNG");

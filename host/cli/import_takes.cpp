@@ -1,5 +1,6 @@
 #include "host/cli/import_takes.hpp"
 
+#include <filesystem>
 #include <memory>
 
 #include "host/cli/files.hpp"
@@ -13,6 +14,7 @@
 #include "host/import/player/player.hpp"
 #include "host/import/sketch/sketch.hpp"
 #include "host/import/wpilog/wpilog.hpp"
+#include "host/text/suggest.hpp"
 
 namespace fencepost::host::cli {
 namespace {
@@ -33,9 +35,14 @@ struct TakeRequest {
 
 /// A file, or a camera of the catalogue as its maker describes it.
 sensor::CameraIntrinsics camera_named(const std::string& name) {
+  std::vector<std::string> known;
   for (const devices::Row* row : devices::rows_for(devices::Use::kCamera)) {
-    if (*row->name != name) continue;
+    known.emplace_back(*row->name);
+    if (known.back() != name) continue;
     if (const auto camera = devices::nominal_camera(*row)) return *camera;
+  }
+  if (const std::string guess = did_you_mean(name, known); !guess.empty() && !std::filesystem::exists(name)) {
+    throw Failure(Exit::kUnreadable, "--camera: there is neither a camera nor a file " + name + ";" + guess);
   }
   return read_camera(name);
 }

@@ -21,6 +21,9 @@ namespace {
 std::string scene_beside(const std::string& log) {
   const std::string scene = std::filesystem::path(log).replace_extension(".json").string();
   std::error_code error;
+  const std::filesystem::file_type kind = std::filesystem::status(log, error).type();
+  using enum std::filesystem::file_type;
+  if (kind == not_found || kind == directory) static_cast<void>(read_input(log));  // says why it cannot
   if (std::filesystem::exists(scene, error)) return scene;
   if (error)
     throw Failure(Exit::kUnreadable,

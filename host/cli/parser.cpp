@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <regex>
 
 #include "host/cli/describe.hpp"
 #include "host/cli/files.hpp"
@@ -98,10 +99,22 @@ std::optional<std::string> plain_words(const CLI::ParseError& error, const CLI::
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && said.find("At Most 1") != std::string::npos) {
     return said.substr(0, said.find(':')) + ": given twice";
   }
+  static const std::regex too_few("(.*): At least (.*) required but received (.*)");
+  static const std::regex no_number("Could not convert: (.*) = (.*)");
+  std::smatch part;
+  if (std::regex_match(said, part, too_few)) {
+    return fmt::format("{}: it needs {} values, and {} is there", part.str(1), part.str(2), part.str(3));
+  }
+  if (std::regex_match(said, part, no_number)) {
+    return fmt::format("{}: {} is not a number", part.str(1), part.str(2));
+  }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || command.remaining().empty()) return std::nullopt;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_name() != "LOG") continue;
     return command.remaining().front() + ": it takes one LOG; report, merge and evaluate take several";
+  }
+  if (command.get_option_no_throw("--set") != nullptr && command.remaining().front().find('=') != std::string::npos) {
+    return command.remaining().front() + ": write --set before a setting";
   }
   return command.remaining().front() + ": nothing here takes this word";
 }

@@ -64,7 +64,7 @@ Exit run_merge(const MergeRequest& request) {
   options.profile = request.profile;
   if (!request.camera.empty()) options.camera = read_camera(request.camera);
   std::vector<RunMap> runs;
-  std::vector<std::string> bytes;  // the runs point into them
+  std::vector<std::optional<std::string>> bytes;  // the runs point into them
   std::uint64_t all = 0;
   std::optional<Failure> failure;  // the first
   const auto or_left_out = [&](const auto& work) {
@@ -77,13 +77,14 @@ Exit run_merge(const MergeRequest& request) {
   };
   for (const std::string& log : request.logs) {
     bytes.emplace_back();
-    or_left_out([&] { all += (bytes.back() = read_log(log)).size(); });
+    or_left_out([&] { all += bytes.back().emplace(read_log(log)).size(); });
   }
   std::optional<Progress> progress("merging");
   std::uint64_t done = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    if (!bytes[i].empty()) or_left_out([&] { add_runs(request.logs[i], bytes[i], request, options, runs); });
-    done += bytes[i].size();
+    if (!bytes[i]) continue;
+    or_left_out([&] { add_runs(request.logs[i], *bytes[i], request, options, runs); });
+    done += bytes[i]->size();
     progress->at(static_cast<double>(done), static_cast<double>(all),
                  fmt::format("{} of {} logs", i + 1, bytes.size()));
   }

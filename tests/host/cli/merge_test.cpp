@@ -122,6 +122,8 @@ TEST_F(Merge, JoinsTheOthersWhereOneLogCannotBeRead) {
   EXPECT_EQ(json["runs"].size(), 2U);
   EXPECT_EQ(json["objects"].size(), 6U);
   EXPECT_EQ(shell(folder, "fencepost merge no.log foreign.log").exit_code, 3);
+  EXPECT_TRUE(ends(shell(folder, ": > empty.log; fencepost merge empty.log"), 3, "empty.log: empty; record"));
+  EXPECT_TRUE(ends(shell(folder, "fencepost merge a.log empty.log b.log"), 3, "left out: empty.log: empty"));
 }
 
 TEST_F(Merge, SaysWhatStaysOut) {

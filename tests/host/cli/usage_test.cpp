@@ -153,6 +153,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"fencepost replay a --from 1 --from 2", "--from: given twice"},
         Wrong{"fencepost replay a b", "b: it takes one LOG; report, merge and evaluate take several"},
         Wrong{"fencepost completion tcsh", "it takes bash, zsh, fish, not tcsh"},
+        Wrong{"fencepost replay --diff a.log", "--diff: it needs 2 values, and 1 is there"},
+        Wrong{"fencepost emulate pixy2 a --seed x", "--seed: x is not a number"},
+        Wrong{"fencepost configure a robot.width=0.2 -o b", "robot.width=0.2: write --set before a setting"},
+        Wrong{"fencepost export a -o b.geojson --at 95,13", "--at: 95 is no latitude"},
         Wrong{"fencepost import kitti d --scale 0", "0 is not a number"},
         Wrong{"fencepost import mrclam d --diameter 0", "0 is not a number"}));
 
@@ -184,6 +188,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Wrong{"fencepost replay - -o result", "standard input: empty"},
                       Wrong{"fencepost replay foreign --camera missing -o result", "cannot read missing"},
                       Wrong{"fencepost replay foreign --camera foreign -o result", "foreign: has no calibration"},
+                      Wrong{"fencepost import csv foreign --camera pixi2 -o result", "did you mean pixy2?"},
+                      Wrong{"fencepost evaluate missing.log -o result", "cannot read missing.log: No such file"},
+                      Wrong{"fencepost evaluate . -o result", "name a file inside it"},
                       Wrong{"fencepost report foreign -o result", "foreign: no record"},
                       Wrong{"fencepost report foreign --scene scene.json -o result", "scene.json: line 1"},
                       Wrong{"fencepost simulate missing.json -o result", "cannot read missing.json"},
