@@ -67,13 +67,18 @@ ImageFormat format_of(const Request& request, const ConfiguredImage& image) {
   return *format;
 }
 
+[[noreturn]] void refuse_image(const Request& request, const std::string& why) {
+  throw Failure(Exit::kUnreadable,
+                input_name(request.image) + ": " + why + "; share/doc/boards.md tells which to take");
+}
+
 Exit run(const Request& request) {
   const ConfigureRequest wanted = request_of(request);
   const auto image = read_image(read_input(request.image));
-  if (!image.ok()) throw Failure(Exit::kUnreadable, input_name(request.image) + ": " + image.error());
+  if (!image.ok()) refuse_image(request, image.error());
   const auto configured = configure(*image, wanted);
-  const Exit failed = can_be_configured(*image) ? Exit::kUsage : Exit::kUnreadable;
-  if (!configured.ok()) throw Failure(failed, input_name(request.image) + ": " + configured.error());
+  if (!configured.ok() && !can_be_configured(*image)) refuse_image(request, configured.error());
+  if (!configured.ok()) throw Failure(Exit::kUsage, input_name(request.image) + ": " + configured.error());
   write_output(request.output, write_image(configured->memory, format_of(request, *configured)));
   say(fmt::format("{}, version {}: {} in {} of {} bytes", configured->board, configured->version,
                   plural(configured->configured.size(), "line"), configured->used, configured->room));

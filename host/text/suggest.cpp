@@ -25,7 +25,8 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
+  // Fewer than the word has letters: else any short word is near.
+  std::size_t fewest = std::min(std::max<std::size_t>(2, word.size() / 3) + 1, word.size());
   for (const std::string& candidate : candidates) {
     const bool begins = word.size() >= 2 && candidate.rfind(word, 0) == 0;
     const std::size_t errors = begins ? 1 : typing_errors(word, candidate);

@@ -64,7 +64,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"image.bin -o mine.txt", 2, "mine.txt: its name has to end with .uf2, .hex, .bin, .dfu or .sav"},
         Refused{"image.bin", 2, "--output is required"},
         Refused{"other.bin -o mine.hex", 3, "other.bin: this is no image of Fencepost"},
-        Refused{"cut.hex -o mine.hex", 3, "cut.hex: the file is cut off: its last line is missing"},
+        Refused{"other.bin -o mine.hex", 3, "share/doc/boards.md tells which to take"},
+        Refused{"cut.hex -o mine.hex", 3,
+                "cut.hex: the file is cut off: its last line is missing; share/doc/boards.md"},
         Refused{"missing.uf2 -o mine.uf2", 3, "missing.uf2"},
         Refused{"image.bin --robot missing.json -o mine.hex", 3, "missing.json"}));
 

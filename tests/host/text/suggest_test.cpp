@@ -18,6 +18,7 @@ TEST(Suggest, TakesABeginning) { EXPECT_EQ(nearest_word("rec", kWords), "record"
 
 TEST(Suggest, SaysNothingRatherThanNoise) {
   EXPECT_EQ(nearest_word("frobnicate", kWords), "");
+  EXPECT_EQ(nearest_word("a", {"can"}), "") << "another letter, and one more";
   EXPECT_EQ(nearest_word("run", {}), "");
   EXPECT_EQ(did_you_mean("frobnicate", kWords), "");
   EXPECT_EQ(did_you_mean("repaly", kWords), " did you mean replay?");
