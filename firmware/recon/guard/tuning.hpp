@@ -1,6 +1,7 @@
 // Numbers of the guard that were chosen and not derived. "Alert study": tests/studies/alerts, level 2, seeds 1 to
 // 1,000. "Flat": in that study, half and twice the value changed the stops in time (940 obstacles) by at most one. They
-// changed the false stops by at most three; the round number is kept. "By design": no study was made for the value.
+// changed the false stops by at most three; the round number is kept.
+// "Tuning table": tests/results/tuning.md, where neither half nor twice the value is clearly better.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +17,10 @@ inline constexpr int kSpacingLog2 = 6;  ///< log2 of kSpacing
 /// mm between neighbouring points of one front. No strip of floor of this width passes between two. Derived
 /// from its logarithm.
 inline constexpr std::int32_t kSpacing = 1 << kSpacingLog2;
-/// mm along the optical axis. A front that is farther is not kept: its row says little. By design.
+/// mm along the optical axis. A front that is farther is not kept: its row says little. Tuning table.
 inline constexpr std::int32_t kFarthest = 1500;
-/// mm. Points farther from the robot are deleted. Odometry drifts by less than a robot's margin on such a way. By
-/// design.
+/// mm. Points farther from the robot are deleted. Odometry drifts by less than a robot's margin on such a way. Tuning
+/// table, flat.
 inline constexpr std::int32_t kForgotten = 2000;
 /// Assumed depth of an unseen foot, in 1/16 of the nearest visible depth. Higher: late stops at what was never seen
 /// whole; lower: false ones (14: two fewer in 81 minutes). Derived: as the models have it.
@@ -54,7 +55,7 @@ inline constexpr auto kMinStep = static_cast<std::int32_t>(1000 * kPositionNoise
 /// times what one frame adds, which is as of an object.
 inline constexpr base::Duration kRefutedAfter{kFewestViews * kMissedByOneFrame.raw};
 /// Of the frames that show neither support nor floor behind a visible point, one in this many counts against it. A
-/// power of two. By design.
+/// power of two. Tuning table, flat.
 inline constexpr unsigned kUnsureFrames = 8;
 /// Time without support after which a point that fewer than kFewestViews frames have supported is deleted. The last
 /// position of a foot that left the image is kept for as long. More: noise below the image adds up; less: slow cameras
@@ -64,7 +65,8 @@ inline constexpr base::Duration kUnconfirmed = base::milliseconds(2000);
 /// the image. Flat.
 inline constexpr std::int32_t kCutReachLog2 = 3;
 
-/// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. By design.
+/// Points that a frame may put in the place of less useful ones when all are in use: bounds its work. Tuning table,
+/// flat.
 inline constexpr int kMaxReplaced = 8;
 
 }  // namespace fencepost::recon::guard

@@ -1,7 +1,7 @@
 // Numbers of the pose correction that were chosen and not derived. "Drift study" and "tours": chosen on simulated tours
 // and on the recording D7_R2 from eight starts, judged on others. "Real runs": chosen on the five robots of MRCLAM's
 // data set 1 (real_drift_study) and on simulated loops of seeds 500 to 519. They were judged on data sets 4, 6 and 7.
-// "By design": no study was made for the value.
+// "Tuning table": half and twice the value are not clearly better (tests/results/tuning.md). "Flat": nor worse.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +22,19 @@ inline constexpr float kOverconfidence = kFirstSpread;
 inline constexpr float kSizeShare = kRadiusSigma / kTypicalRadius;
 /// m, sigma of a first place beside its bearing. Drift study.
 inline constexpr float kAcross = 0.03F;
-/// sine of the half angle under which a landmark is seen, at most: the lens is not inside the circle. By design.
+/// sine of the half angle under which a landmark is seen, at most: the lens is not inside the circle. Tuning table,
+/// flat.
 inline constexpr float kWidestSine = 0.95F;
 
 // --- the filter ---
 
 /// variance (m^2, rad^2) of the start, which defines the map frame; zero would leave the first equations no margin.
+/// Tuning table, flat.
 inline constexpr float kStartVariance = 1e-6F;
 /// sigmas. Farther off than this a tangent is not this landmark's. Beyond kUsualSigmas it counts less, as Huber has it.
 /// A gate at the third loses loops for good, since nothing that is gated brings the pose back. Real runs.
 inline constexpr float kFilterGateSigmas = 10.0F;
-/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. By design.
+/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. Tuning table, flat.
 inline constexpr float kFarthestStep = 2.0F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
 inline constexpr float kRounding = 1e-6F;
@@ -43,7 +45,7 @@ inline constexpr float kRounding = 1e-6F;
 inline constexpr float kDriftGain = 0.03F;
 /// Clamp of a normalised squared innovation. Derived: the gate's square.
 inline constexpr float kMaxSurprise = kGateSigmas * kGateSigmas;
-/// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. By design.
+/// Upper bound of the factor on the odometry's variances: a drift of 60 % where 3 % is configured. Tuning table, flat.
 inline constexpr float kMaxDrift = 400.0F;
 /// Way (m) or turn (urad) of the robot after which the filter takes the next frame.
 struct LookInterval {
@@ -63,8 +65,8 @@ struct LandmarkPace {
   /// where feet are far from the lens's axis. More: a drifting map for longer.
   float evidence = 0;
 };
-/// For profile full, that is desks and Linux. By design. The evidence is from real runs and from seven drives of KITTI,
-/// each with three pitches. With 24 two of these 21 are harmed, with 32 and 40 none.
+/// For profile full, that is desks and Linux. Tuning table. The evidence is from real runs and from seven drives of
+/// KITTI, each with three pitches. With 24 two of these 21 are harmed, with 32 and 40 none.
 inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 32.0F};
 /// For small profiles: half as much evidence from half as many looks. Drift study with profile small, loops 500 to 529,
 /// also with five times the frames.
@@ -86,7 +88,7 @@ inline constexpr float kDriftPosition = 0.4F;
 /// rad/sqrt(m) for the same share: sigma of the heading. At 3 % it is 1.2 degrees after a metre. Turning, in
 /// rad/sqrt(rad), is off by the share itself. Drift study.
 inline constexpr float kDriftHeading = 0.67F;
-/// rad, sigma of a corrected heading for the models: what is left of its error. Prototype.
+/// rad, sigma of a corrected heading for the models: what is left of its error. Tuning table, flat.
 inline constexpr float kCorrectedHeading = 0.0105F;
 /// m, sigma of a corrected position. Derived: half as much again as of one that is believed, as of the heading.
 inline constexpr float kCorrectedPosition = 1.5F * kPositionNoise;
@@ -94,28 +96,28 @@ inline constexpr float kCorrectedPosition = 1.5F * kPositionNoise;
 // --- the check of the lens ---
 
 /// urad of heading between the frames that are compared. More: objects leave the image before; less: the noise of
-/// headings and edges counts more. By design.
+/// headings and edges counts more. Tuning table, flat.
 inline constexpr std::int32_t kLensTurn = 150'000;
 /// urad for each 0.1 ms, minimum turn rate: slower, odometry's rounding counts too much. Derived: kLensTurn in a
 /// second.
 inline constexpr auto kLensMinRate = static_cast<std::int32_t>(kLensTurn / base::Duration::kPerUnit);
 /// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
-/// the turn by a tenth. By design.
+/// the turn by a tenth. Tuning table, flat.
 inline constexpr float kLensSteady = 2.0F;
-/// Maximum share of the turn that parallax may have, for the object's distance may be wrong. By design.
+/// Maximum share of the turn that parallax may have, for the object's distance may be wrong. Tuning table, flat.
 inline constexpr float kLensMaxParallax = 0.25F;
-/// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. By design.
+/// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. Tuning table, flat.
 inline constexpr float kLensNearest = 0.3F;
-/// Factor beyond which a sample is an outlier. By design.
+/// Factor beyond which a sample is an outlier. Tuning table, flat.
 inline constexpr float kLensMaxOff = 2.5F;
-/// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. By
-/// design.
+/// rad, sigma of a sample, at least: edges, headings, and an object whose middle is not where its box has it. Tuning
+/// table, flat.
 inline constexpr float kLensSampleSigma = 0.015F;
-/// Objects followed, or one twice, before the first verdict. By design.
+/// Objects followed, or one twice, before the first verdict. Tuning table, flat.
 inline constexpr std::uint8_t kLensObjects = 2;
 /// Samples before the first verdict. Derived: two of each object.
 inline constexpr std::uint8_t kLensMinSamples = 2 * kLensObjects;
-/// Samples at which half is forgotten. By design.
+/// Samples at which half is forgotten. Tuning table, flat.
 inline constexpr std::uint8_t kLensMaxSamples = 64;
 /// Thresholds of the factor and of its significance in sigmas. The focal length is wrong above kLensWrong, and right
 /// again below kLensRight. Less: complaints about lenses that do no harm, and about wheels. Hazard table (bases).
