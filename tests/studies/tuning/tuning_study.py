@@ -192,7 +192,7 @@ def table(figures, folder, numbers):
 
 
 def main(arguments):
-    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
+    parser = argparse.ArgumentParser(usage=__doc__.removeprefix("usage: "), add_help=False)
     parser.add_argument("sources", type=pathlib.Path)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--world", type=pathlib.Path)
