@@ -14,15 +14,17 @@ class Standing {
  public:
   /// Adds the robot's pose at an exposure, by odometry. A robot whose pose only jitters is stationary.
   void look(const MapPose& odometry, base::Time exposure) {
-    strays_ = is_near(odometry) ? std::uint8_t{0} : static_cast<std::uint8_t>(strays_ + 1);
-    const bool stays = started_ && strays_ < kFewestViews;
+    const int off = is_within(odometry, 1) ? 0 : is_within(odometry, 2) ? strays_ + 1 : kFewestViews;
+    strays_ = static_cast<std::uint8_t>(off);
+    const bool stays = exposures_ > 0 && strays_ < kFewestViews;
     if (!stays) {
-      started_ = true;
+      exposures_ = 1;
       strays_ = 0;
       place_ = odometry;
       reached_ = exposure;
     }
-    stands_ = strays_ == 0 && exposure - reached_ >= kMoment;
+    stands_ = (stands_ || strays_ == 0) && exposure - reached_ >= kMoment;
+    if (stands_ && strays_ == 0) average(odometry);
     since_ = stands_ ? reached_ : exposure;
   }
 
@@ -32,9 +34,18 @@ class Standing {
   [[nodiscard]] base::Time since() const { return since_; }
 
  private:
-  [[nodiscard]] bool is_near(const MapPose& odometry) const {
-    const auto within = [](std::int64_t difference, std::int64_t most) {
-      return difference <= most && difference >= -most;
+  // The first pose alone may be the one that is off, or of a robot that still slowed down.
+  void average(const MapPose& odometry) {
+    if (exposures_ < UINT8_MAX) ++exposures_;
+    const auto step = [&](std::int64_t difference) { return static_cast<std::int32_t>(difference / exposures_); };
+    place_.position.x += step(std::int64_t{odometry.position.x} - place_.position.x);
+    place_.position.y += step(std::int64_t{odometry.position.y} - place_.position.y);
+    place_.heading += step(short_way(std::int64_t{odometry.heading} - place_.heading));
+  }
+  // Of that many gates.
+  [[nodiscard]] bool is_within(const MapPose& odometry, int gates) const {
+    const auto within = [&](std::int64_t difference, std::int64_t gate) {
+      return difference <= gates * gate && difference >= -gates * gate;
     };
     return within(std::int64_t{odometry.position.x} - place_.position.x, kStandingNear) &&
            within(std::int64_t{odometry.position.y} - place_.position.y, kStandingNear) &&
@@ -43,9 +54,9 @@ class Standing {
 
   base::Time since_;
   base::Time reached_;
-  MapPose place_;
+  MapPose place_;  // mean of `exposures_`
+  std::uint8_t exposures_ = 0;
   std::uint8_t strays_ = 0;
-  bool started_ = false;
   bool stands_ = false;
 };
 

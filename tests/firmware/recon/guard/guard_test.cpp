@@ -197,27 +197,6 @@ TEST(Guard, WhatARobotThatStandsHasSeenItMustSee) {
   }
 }
 
-TEST(Standing, IsSinceThePlaceWasReachedAndStandsWavering) {
-  recon::Standing standing;
-  double t = 0;
-  const auto go = [&](double x) { standing.look(pose_at(x), base::Time::nearest(t += 0.1)); };
-  for (double x = 0; x < 0.5; x += 0.05) {
-    go(x);
-    EXPECT_NEAR(standing.since().to_double(), t, 1e-9) << "it drives";
-  }
-  const double reached = t + 0.1;
-  for (int i = 0; i < 50; ++i) go(0.5 + (i % 2 == 0 ? 0.006 : -0.006));
-  EXPECT_NEAR(standing.since().to_double(), reached, 0.5);
-  EXPECT_TRUE(standing.stands());
-  go(0.54);
-  EXPECT_FALSE(standing.stands());
-  EXPECT_NEAR(standing.since().to_double(), t, 1e-9) << "it may drive";
-  go(0.5);
-  EXPECT_NEAR(standing.since().to_double(), reached, 0.5) << "it did not";
-  for (int i = 0; i < 8; ++i) go(0.55);
-  EXPECT_NEAR(standing.since().to_double(), t, 0.65) << "it has";
-}
-
 TEST(Guard, NothingBesideTheImageIsClearedByNotBeingSeen) {
   Bench bench;
   const FlatFront aside{0.6, 0.2, 0.25};
