@@ -143,15 +143,11 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
   }
 }
 
-void compare_foot(ObjectCore& object, const Observation& seen, bool stands) {
-  if (seen.bearing) return;
+bool compare_foot(ObjectCore& object, const Observation& seen, bool stands) {
+  if (seen.bearing) return false;
   const bool jumped = stands && object.foot_row > 0 && std::abs(seen.box.y2 - object.foot_row) > kFootJump;
-  if (!jumped) {
-    object.foot_row = seen.box.y2;
-    object.foot_off = 0;
-  } else if (is_edge(seen.bottom)) {
-    object.foot_off = static_cast<std::uint8_t>(std::min(object.foot_off + 1, 0xFF));
-  }
+  if (!jumped) object.foot_row = seen.box.y2;
+  return jumped && is_edge(seen.bottom);
 }
 
 bool overlaps(const Prediction& prediction, const Observation& seen) {
@@ -160,6 +156,7 @@ bool overlaps(const Prediction& prediction, const Observation& seen) {
 }
 
 bool stands_behind(const Observation& seen, const Prediction& prediction) {
+  if (prediction.foot_row > 0) return is_edge(seen.bottom) && seen.box.y2 < prediction.foot_row - kFootJump;
   const PredictedLine& foot = prediction.bottom;
   return foot.sigma > 0 && is_edge(seen.bottom) && seen.box.y2 < foot.at - kFootSigmas * foot.sigma;
 }

@@ -68,9 +68,9 @@ EndsOff ends_off(const Prediction& prediction, const Observation& seen, bool ins
 /// Counts the frames in a row in which an edge that was seen is more than three sigmas off, always to the same side.
 /// Not one that was `open`: of something longer than the image it is the end, seen at last.
 void compare_ends(ObjectCore& object, const Prediction& prediction, const Observation& seen, EndsOff open = {});
-/// Likewise counts the frames in which a stationary robot sees the object's foot elsewhere: another object is there
+/// True if a stationary robot sees the object's foot elsewhere: its lower piece is lost, or another object is there
 /// now.
-void compare_foot(ObjectCore& object, const Observation& seen, bool stands);
+[[nodiscard]] bool compare_foot(ObjectCore& object, const Observation& seen, bool stands);
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Observation& seen);

@@ -46,7 +46,6 @@ void ObjectCore::hash(base::Fnv1a64& hash) const {
   hash.u8(in_pieces);
   hash.u8(static_cast<std::uint8_t>(left_off));
   hash.u8(static_cast<std::uint8_t>(right_off));
-  hash.u8(foot_off);
   hash.u16(static_cast<std::uint16_t>(foot_row));
   if (last_track != 0) hash.u8(last_track);
   hash.u32(views);

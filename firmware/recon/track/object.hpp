@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
 #include "firmware/recon/models/cylinder.hpp"
 #include "firmware/recon/models/height_band.hpp"
@@ -45,15 +44,13 @@ struct ObjectCore {
   std::uint8_t in_pieces = 0;    ///< frames in a row in which it was two blobs with nothing between them
   std::int8_t left_off = 0;  ///< frames in a row in which its left end was far off to one side; negative: to the left
   std::int8_t right_off = 0;
-  std::uint8_t foot_off = 0;    ///< frames in a row in which its foot was elsewhere although the robot is stationary
-  std::int16_t foot_row = 0;    ///< of the last sighting that was not
+  std::int16_t foot_row = 0;    ///< of the last sighting whose foot was not elsewhere although the robot was stationary
   std::uint8_t last_track = 0;  ///< id of the last sighting by a camera that tracks; 0: none, or too long ago
   std::uint32_t views = 0;
   base::Time last_seen;
   SightingHistory history;
-  std::uint16_t missed_for =
-      0;                     ///< ticks of 0.1 ms in which it should have been seen and was not, since it was seen last
-  std::uint8_t waiting = 0;  ///< sightings since the last one that the models took; a new object's count more
+  std::uint16_t missed_for = 0;  ///< ticks of 0.1 ms in which it should have been seen and was not, see weigh()
+  std::uint8_t waiting = 0;      ///< sightings since the last one that the models took; a new object's count more
   std::uint8_t outline_confidence = kNoOutline;  ///< quantised, of the hybrid's outline; kNoOutline: there is none yet
   float presence = 1;                            ///< running share of expected sightings that came
   MapPoint origin;                               ///< of the local frame of all models
@@ -76,8 +73,13 @@ struct ObjectCore {
   /// Sighting after sighting one end is off and the other is not: the models are of something else. Both off to one
   /// side is a wrong pose.
   [[nodiscard]] bool contradicted() const {
-    if (foot_off >= kContradictingFrames) return true;
     return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kContradictingFrames;
+  }
+
+  /// Evidence of one frame for its existence. A sighting counts twice what a missing one does: cameras miss.
+  void weigh(bool seen, base::Duration elapsed) {
+    const std::int64_t missed = missed_for + (seen ? -2 : 1) * elapsed.raw;
+    missed_for = static_cast<std::uint16_t>(std::clamp<std::int64_t>(missed, 0, 2 * kMoment.raw));
   }
 
   /// Updates what matching, alerts and the table's order need of every sighting.
@@ -85,7 +87,6 @@ struct ObjectCore {
     left = left_end;
     right = right_end;
     last_seen = t;
-    missed_for = 0;
     ++views;
     if (waiting < 0xFF) ++waiting;
   }

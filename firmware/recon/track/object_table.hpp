@@ -105,9 +105,10 @@ class ObjectTable {
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
       compare_ends(object, matcher.prediction(o), seen, open_ends(object, matcher.prediction(o), seen, camera, lens));
-      compare_foot(object, seen, object.last_seen > stands_since_);
+      const bool foot_jumped = compare_foot(object, seen, object.last_seen > stands_since_);
+      object.weigh(!foot_jumped, elapsed_);
       // Sightings of a mover do not meet in one place.
-      if (object.contradicted() || seen.moves) {
+      if (object.contradicted() || (foot_jumped && object.refuted()) || seen.moves) {
         object.restart(make_sighting(camera, lens, seen), exposure_);
         report(EventKind::kMoved, o);
       }
@@ -152,8 +153,7 @@ class ObjectTable {
       object.history.push(false);
       if (!expected) continue;
       object.presence -= kPresenceGain * object.presence;
-      const std::int64_t missed = std::min<std::int64_t>(object.missed_for + elapsed_.raw, 0xFFFF);
-      object.missed_for = static_cast<std::uint16_t>(missed);
+      object.weigh(false, elapsed_);
     }
   }
 
@@ -241,15 +241,15 @@ class ObjectTable {
       }
     }
   }
-  // Deletes short-lived static objects of a mover's colour: they are its earlier positions, from before it was known to
-  // move.
+  // Deletes what a mover left behind before it was known to move. Such objects have its colour and were seen shortly
+  // before, few times, or are there no more.
   void end_trails(MatcherType& matcher) {
     for (std::size_t a = 0; a < kObjects; ++a) {
       if (!objects_[a].used() || !objects_[a].moving || !matcher.seen(a)) continue;
       for (std::size_t b = 0; b < kObjects; ++b) {
         const ObjectType& other = objects_[b];
         if (!other.used() || other.signature != objects_[a].signature || matcher.seen(b)) continue;
-        const bool few = other.views < kFewViews || other.moving;
+        const bool few = other.views < kFewViews || other.moving || other.refuted();
         if (few && exposure_ - other.last_seen < kTrail) end(b, EventKind::kMerged, matcher, objects_[a].id);
       }
     }

@@ -392,10 +392,10 @@ TEST(Map, AnObjectThatShouldBeSeenAndIsNotLosesCredit) {
   const float before = drive.objects()[0]->confidence();
   EXPECT_GT(before, 0.15F);                                              // seen from one side only
   for (int i = 20; i < 40; ++i) drive.step({}, 0, 0.02 * i, -0.01 * i);  // still in view, but gone
-  EXPECT_EQ(drive.objects()[0]->missed_for, 20'000);
+  EXPECT_EQ(drive.objects()[0]->missed_for, 10'000);
   EXPECT_LT(drive.objects()[0]->confidence(), 0.2F * before);
   for (int i = 0; i < 20; ++i) drive.step({}, 0, 0, 3.0);  // looking away is no evidence
-  EXPECT_EQ(drive.objects()[0]->missed_for, 20'000);
+  EXPECT_EQ(drive.objects()[0]->missed_for, 10'000);
 }
 
 // Its foot below the image, a post may be out of sight as a whole: that is no evidence.
@@ -704,8 +704,8 @@ TEST(Map, OfThingsOnALattice) {
     tell_map<config::Small>(draw, sweep, 60);
     tell_map<config::Full>(draw, sweep, 40);
   }
-  expect_said(sweep, {"digest 960 acc62900", "matched 925 86005038", "born 169 afe956ce", "pieces 215 675f9bd9",
-                      "refused 201 e874b489", "event 975 dcbf8b3a", "guard 0 654737f8", "evicted 5 28d90615",
+  expect_said(sweep, {"digest 960 9ecafcca", "matched 925 2ff964b2", "born 190 8426623e", "pieces 221 5387cad2",
+                      "refused 199 ae81e29c", "event 1033 185cb7ed", "guard 0 654737f8", "evicted 6 1192a171",
                       "size 0 69488d24"});
 }
 

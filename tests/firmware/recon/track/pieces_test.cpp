@@ -228,17 +228,16 @@ TEST(CompareFoot, ThatOfWhatAStandingRobotSeesStaysWhereItIs) {
   near.box.y2 = 90;
   recon::Observation far = near;
   far.box.y2 = 60;
+  recon::Observation cut = far;
+  cut.bottom = recon::End::kLowerBound;
   recon::ObjectCore object;
-  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 2 == 1 ? near : far, false);
-  EXPECT_FALSE(object.contradicted()) << "the robot moves";
-  recon::compare_foot(object, near, true);
-  for (int i = 0; i < 20; ++i) recon::compare_foot(object, i % 9 == 8 ? near : far, true);
-  EXPECT_FALSE(object.contradicted()) << "pieces were lost, and it was seen as it was";
-  recon::compare_foot(object, near, true);
-  for (int i = 0; i < 9; ++i) recon::compare_foot(object, far, true);
-  EXPECT_FALSE(object.contradicted());
-  recon::compare_foot(object, far, true);
-  EXPECT_TRUE(object.contradicted()) << "something else is there now";
+  EXPECT_FALSE(recon::compare_foot(object, near, true)) << "the first";
+  EXPECT_TRUE(recon::compare_foot(object, far, true));
+  EXPECT_TRUE(recon::compare_foot(object, far, true)) << "nobody believed the last one";
+  EXPECT_FALSE(recon::compare_foot(object, near, true));
+  EXPECT_FALSE(recon::compare_foot(object, cut, true)) << "its foot may be lower";
+  EXPECT_FALSE(recon::compare_foot(object, far, false)) << "the robot moves";
+  EXPECT_TRUE(recon::compare_foot(object, near, true));
 }
 
 TEST(StandsElsewhere, IsWhatHasAnotherFootAndIsNoPieceOfTheObject) {
