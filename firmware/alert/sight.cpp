@@ -47,15 +47,17 @@ bool surely_no_jump(const recon::MapPose& from, const recon::MapPose& to) {
          within(from.heading, to.heading, kTurn);
 }
 
-// Expected motion of the boxes, px, if the camera is live: the largest over all edges inside the image.
+// Expected motion of the boxes, px, if the camera is live: the sum over all edges inside the image. Each pixel of it
+// would change the frame.
 float expected_shift(const recon::WaitingFrame& frame, const recon::CameraModel& camera, const Displacement& by) {
   float shift = 0;
   for (const recon::WaitingBlob& blob : frame.blobs.view()) {
     const recon::Sides cut = recon::cut_by_border(camera, blob.box);
-    if (!cut.left || !cut.right) shift = std::max(shift, by.turned * camera.fx);
+    const int sides = (cut.left ? 0 : 1) + (cut.right ? 0 : 1);
+    shift += static_cast<float>(sides) * by.turned * camera.fx;
     if (blob.bearing || cut.bottom || !camera.pitch_known || !(camera.height > 0)) continue;
     const float drop = recon::drop_per_depth(camera, camera.cx, recon::bottom_edge(blob.box));
-    if (drop > 0) shift = std::max(shift, by.moved * camera.fy * drop * drop / camera.height);
+    if (drop > 0) shift += by.moved * camera.fy * drop * drop / camera.height;
   }
   return shift;
 }

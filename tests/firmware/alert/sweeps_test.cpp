@@ -227,7 +227,7 @@ TEST(AlertSweep, OfInputs) {
       sweep.tell("odometry", sight.odometry_state(now, draw.coin()));
     }
   }
-  expect_said(sweep, {"blind 9715 42d0c3a5", "camera 17910 fc5889d4", "odometry 17898 ff3ed8c3"});
+  expect_said(sweep, {"blind 9699 1e606d64", "camera 17910 f32695bf", "odometry 17898 ff3ed8c3"});
 }
 
 }  // namespace
