@@ -1,5 +1,5 @@
-// Things that need no stop: two boxes that the robot passes between, and two rows of six. A plate on the floor, flat as
-// a sheet of paper.
+// Things that need no stop: two boxes that the robot passes between, and two rows of six. In rows of one colour boxes
+// join in the image, so there are also rows in which neighbours differ. A plate on the floor, flat as a sheet of paper.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kApart = 0.5;  // m, from one box of a row to the next
 
-// One colour for all, any speed and any rate of frames.
-Outcome pass(int pairs, double degrees, unsigned seed, const Conditions& conditions) {
+// Any speed and any rate of frames.
+Outcome pass(int pairs, bool one_colour, double degrees, unsigned seed, const Conditions& conditions) {
   constexpr double kRates[] = {5, 10, 25, 50};  // frames/s
   Dice dice(seed);
   Encounter met;
@@ -20,6 +20,9 @@ Outcome pass(int pairs, double degrees, unsigned seed, const Conditions& conditi
   met.scene = bare_scene(seed, conditions, {.degrees = degrees}, rate);
   const host::TimedPose start = random_start(dice);
   const std::uint8_t colour = random_colour(dice);
+  const auto colour_of = [&](int pair, double side) {
+    return one_colour ? colour : static_cast<std::uint8_t>(1 + 2 * (pair % 2) + (side > 0 ? 1 : 0));
+  };
   const double speed = dice.between(0.1, 0.6);
   const double first = dice.between(1.0, 1.5);
   for (int pair = 0; pair < pairs; ++pair) {
@@ -29,7 +32,8 @@ Outcome pass(int pairs, double degrees, unsigned seed, const Conditions& conditi
       const double gap = dice.between(0.03, 0.1);  // beyond robot.margin
       const double aside = AlertLimits{}.half_width + AlertLimits{}.margin + gap + width / 2;
       const host::TimedPose center = relative(start, first + kApart * pair, side * aside);
-      met.scene.objects.push_back(thing("box", colour, dice.between(0.1, 0.3), box_at(center, depth, width)));
+      met.scene.objects.push_back(
+          thing("box", colour_of(pair, side), dice.between(0.1, 0.3), box_at(center, depth, width)));
     }
   }
   constexpr double kStands = 0.5;  // s
@@ -66,12 +70,18 @@ Family passing() {
                 "5 to 50 frames/s",
                 "stops a run",
                 {}};
-  for (const int pairs : {1, 6}) {
+  struct Rows {
+    std::string_view name;
+    int pairs;
+    bool one_colour;
+  };
+  for (const Rows& rows : {Rows{"two boxes", 1, true}, Rows{"two rows of six", 6, true},
+                           Rows{"two rows of six, four colours", 6, false}}) {
     for (const double degrees : {43.0, 60.0, 80.0}) {
-      family.cells.push_back({fmt::format("{}, {} degrees", pairs == 1 ? "two boxes" : "two rows of six", degrees),
+      family.cells.push_back({fmt::format("{}, {} degrees", rows.name, degrees),
                               {95, {}},
-                              [pairs, degrees](unsigned seed, const Conditions& conditions) {
-                                return pass(pairs, degrees, seed, conditions);
+                              [rows, degrees](unsigned seed, const Conditions& conditions) {
+                                return pass(rows.pairs, rows.one_colour, degrees, seed, conditions);
                               }});
     }
   }
