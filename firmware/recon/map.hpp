@@ -1,6 +1,8 @@
 // The map: all objects, and what one frame does to them.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -106,7 +108,7 @@ class Map {
   [[nodiscard]] std::uint8_t blob_of(std::size_t slot) const { return matcher_.blob_of(slot); }
 
  private:
-  // `lens`: by the map, which tells the guard how wide the feet of the things can be that it knows whole.
+  // `lens`: by the map, which tells the guard how wide the feet of the things can be that it knows.
   [[gnu::noinline]] void look_out(const WaitingFrame& frame, const CameraModel& camera, const LensPose& by_odometry,
                                   const LensPose& lens) {
     constexpr float kReach = 0.001F * guard::kForgotten;
@@ -116,17 +118,41 @@ class Map {
       const float depth = matcher_.prediction(o).depth;  // 0: it has no place
       if (!(depth > 0 && depth < kReach) || !object.confirmed || object.moving) continue;
       const CylinderEstimate& cylinder = object.cylinder.estimate();
-      if (!cylinder.ok() || !object.cylinder.known_whole()) continue;
-      const Vec2 center = to_camera(lens, cylinder.center - lens.lens_from(object.origin));
-      const float along = cylinder.radius + kUsualSigmas * cylinder.outline_sigma();
-      const auto millimetres = [](float metres) {
-        return static_cast<std::int16_t>(nearest_whole(kMillimetresPerMetre * metres, INT16_MAX));
-      };
-      static_cast<void>(feet.push_back({millimetres(center.x() - along), millimetres(center.x() + along),
-                                        millimetres(center.y() + cylinder.radius),
-                                        millimetres(center.y() - cylinder.radius), object.signature}));
+      if (!cylinder.ok()) continue;
+      if (object.cylinder.known_whole()) {
+        const float along = cylinder.radius + kUsualSigmas * cylinder.outline_sigma();
+        add_foot({along, cylinder.radius, along, cylinder.radius}, cylinder.center - lens.lens_from(object.origin),
+                 lens, object.signature, feet);
+      } else if (const PlacedOutline outline = object.placed_outline(); outline.known) {
+        add_foot(reaches_of(outline.view, lens.axis), -lens.lens_from(outline.origin), lens, object.signature, feet);
+      }
     }
     guard_.look(frame, camera, by_odometry, standing_.since(), feet);
+  }
+
+  // m, how far a thing reaches ahead, to the left, back and to the right of `from_lens` (map axes).
+  using Reaches = std::array<float, 4>;
+  static void add_foot(const Reaches& reaches, const Vec2& from_lens, const LensPose& lens, std::uint8_t signature,
+                       guard::KnownFeet& feet) {
+    const auto millimetres = [](float metres) {
+      return static_cast<std::int16_t>(nearest_whole(kMillimetresPerMetre * metres, INT16_MAX));
+    };
+    const Vec2 at = to_camera(lens, from_lens);
+    static_cast<void>(feet.push_back({millimetres(at.x() - reaches[2]), millimetres(at.x() + reaches[0]),
+                                      millimetres(at.y() + reaches[1]), millimetres(at.y() - reaches[3]), signature}));
+  }
+  // One sigma more than the outline itself.
+  static Reaches reaches_of(const OutlineView& outline, const Vec2& axis) {
+    const std::size_t sides = outline.offsets.size();
+    const SectorPlace ahead = place_of(axis, sides);
+    Reaches reaches;
+    for (std::size_t quarter = 0; quarter < reaches.size(); ++quarter) {
+      const std::size_t k = (ahead.sector + quarter * sides / reaches.size()) % sides;
+      const std::size_t next = (k + 1) % sides;
+      reaches[quarter] = outline.offset(k) + ahead.phase * (outline.offset(next) - outline.offset(k)) +
+                         std::max(outline.sigma(k), outline.sigma(next));
+    }
+    return reaches;
   }
 
   [[gnu::noinline]] void chain_digest(const WaitingFrame& frame, const MapPose& pose) {
