@@ -47,9 +47,9 @@ inline constexpr float kPointRadius = 0.005F;
 
 // --- novelty ---
 
-/// share of the distance by which the lens has to move for a view to count in full. More: slow learning. Tuning table,
-/// which had 0.03.
-inline constexpr float kNovelShare = 0.06F;
+/// share of the distance by which the lens has to move for a view to count in full. More: slow learning, worse with real
+/// boxes. Tuning table.
+inline constexpr float kNovelShare = 0.03F;
 /// share of a view that counts at least. More: a parked robot becomes certain. Tuning table, flat.
 inline constexpr float kMinNovelty = 0.05F;
 /// m. Nearer distances count as this one. Tuning table, flat.

@@ -123,7 +123,7 @@ TEST(ObjectCore, OfCirclesOnALattice) {
     sweep.tell("digest", static_cast<std::uint32_t>(hash.value()));
   }
   expect_said(sweep,
-              {"one place 792 0fa76b2b", "confidence 2303 b0189fb9", "novelty 4000 beaffd95", "digest 4000 5afb9416"});
+              {"one place 792 0fa76b2b", "confidence 2303 b0189fb9", "novelty 4000 5f3c558f", "digest 4000 5afb9416"});
 }
 
 }  // namespace

@@ -329,7 +329,7 @@ constexpr std::size_t kUp = 16;  // of 64 directions: +y
 // An object that goes on behind something is no smaller than its seen part. Another object's end says nothing of this
 // one.
 TEST(HybridProperties, AHiddenEndSaysHowFarItReachesAtLeast) {
-  EXPECT_NEAR(support(approached(recon::End::kSeen, false), kUp), 0.04, 0.008);
+  EXPECT_NEAR(support(approached(recon::End::kSeen, false), kUp), 0.04, 0.006);
   EXPECT_GT(support(approached(recon::End::kLowerBound, false), kUp), 0.036);
 }
 TEST(HybridProperties, AHiddenEndContradictsASmallerEdge) {
