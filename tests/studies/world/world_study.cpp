@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,27 @@ struct Request {
   }
 };
 
+/// One row of a table for each way of correcting, or for several in a row that give the same `cells`.
+template <class Cells>
+void print_rows(const Request& request, std::string_view name, const Cells& cells) {
+  std::string corrections;
+  std::string last;
+  const auto print_last = [&] {
+    if (!corrections.empty()) print(fmt::format("| {} | {} | {} |\n", name, corrections, last));
+  };
+  for (const std::string& correct : request.correct) {
+    std::string now = cells(correct);
+    if (now == last) {
+      corrections += ", " + correct;
+      continue;
+    }
+    print_last();
+    corrections = correct;
+    last = std::move(now);
+  }
+  print_last();
+}
+
 std::string median_percent(std::vector<double> values) {
   if (values.empty()) return "-";
   std::ranges::sort(values);
@@ -44,15 +66,14 @@ struct KittiRow {
   KittiConfigured configured{};
 };
 
-std::string row_of(const KittiRow& row, const std::string& correct, const KittiScore& score) {
+std::string cells_of(const KittiRow& row, const KittiScore& score) {
   const auto lost = std::ranges::count_if(score.end_error, [](double error) { return error > kLost; });
   const double ten_minutes = score.seconds / 600;
   const std::string ends =
       lost == 0 ? "0" : fmt::format("{} of {}, to {:.1f} m", lost, score.drives, std::ranges::max(score.end_error));
   const std::string moving = row.configured.identity ? fmt::format(" ({} moving)", score.moving) : "";
-  return fmt::format("| {} | {} | {} of {} | {}{} | {} | {} / {} % | {:.1f} | {:.1f} |\n", row.what, correct,
-                     score.found, score.found + score.missed, score.phantoms, moving, ends,
-                     median_percent(score.recklessness), median_percent(score.paranoia),
+  return fmt::format("{} of {} | {}{} | {} | {} / {} % | {:.1f} | {:.1f}", score.found, score.found + score.missed,
+                     score.phantoms, moving, ends, median_percent(score.recklessness), median_percent(score.paranoia),
                      static_cast<double>(score.stops) / ten_minutes,
                      static_cast<double>(score.empty_stops) / ten_minutes);
 }
@@ -79,8 +100,9 @@ void measure_kitti(const Request& request) {
       "|---|---|---|---|---|---|---|---|\n");
   for (const KittiRow& row : rows) {
     if (std::string_view(row.what).find(request.only) == std::string_view::npos) continue;
-    for (const std::string& correct : request.correct)
-      print(row_of(row, correct, run_kitti(drives, row.configured, request.settings_with(correct))));
+    print_rows(request, row.what, [&](const std::string& correct) {
+      return cells_of(row, run_kitti(drives, row.configured, request.settings_with(correct)));
+    });
   }
 }
 
@@ -99,15 +121,15 @@ void measure_dlr(const Request& request) {
     const std::string name = identity ? "DLR, identity" : "DLR, one signature";
     if (name.find(request.only) == std::string::npos) continue;
     const std::vector<double> off = run_dlr(file, kSteps, identity, request.settings_with("off"));
-    for (const std::string& correct : request.correct) {
+    print_rows(request, name, [&](const std::string& correct) {
       std::vector<double> windows = run_dlr(file, kSteps, identity, request.settings_with(correct));
       std::size_t worse = 0;
       for (std::size_t i = 0; i < off.size(); ++i) worse += windows[i] > kWorse * off[i] ? 1U : 0U;
       std::ranges::sort(windows);
-      print(fmt::format("| {} | {} | {} | {:.2f} m | {:.2f} m | {} of {} |\n", name, correct, windows.size(),
-                        (windows[windows.size() / 2] + windows[(windows.size() - 1) / 2]) / 2, windows.back(), worse,
-                        windows.size()));
-    }
+      return fmt::format("{} | {:.2f} m | {:.2f} m | {} of {}", windows.size(),
+                         (windows[windows.size() / 2] + windows[(windows.size() - 1) / 2]) / 2, windows.back(), worse,
+                         windows.size());
+    });
   }
 }
 
@@ -122,11 +144,10 @@ void measure_cycloid(const Request& request) {
   print(
       "\n| cycloid, configured | `correct.pose` | cones | of them off, rms | objects | end off |\n"
       "|---|---|---|---|---|---|\n");
-  for (const std::string& correct : request.correct) {
+  print_rows(request, kName, [&](const std::string& correct) {
     const CycloidScore score = run_cycloid(folder, request.settings_with(correct));
-    print(fmt::format("| {} | {} | {} of 8 | {:.2f} m | {} | {:.2f} m |\n", kName, correct, score.cones, score.rms,
-                      score.objects, score.end_error));
-  }
+    return fmt::format("{} of 8 | {:.2f} m | {} | {:.2f} m", score.cones, score.rms, score.objects, score.end_error);
+  });
 }
 
 void measure_victoria(const Request& request) {
@@ -145,11 +166,10 @@ void measure_victoria(const Request& request) {
           "|---|---|---|---|---|\n");
     }
     begun = true;
-    for (const std::string& correct : request.correct) {
+    print_rows(request, name, [&](const std::string& correct) {
       const VictoriaScore score = run_victoria(folder, rows, request.settings_with(correct));
-      print(fmt::format("| {} | {} | {:.1f} m | {:.1f} m | {} |\n", name, correct, score.rms, score.worst,
-                        score.objects));
-    }
+      return fmt::format("{:.1f} m | {:.1f} m | {}", score.rms, score.worst, score.objects);
+    });
   }
 }
 
