@@ -19,7 +19,7 @@ import sys
 
 KINDS = ("uf2", "hex", "bin", "dfu", "gba", "elf")
 DOCUMENT = "host/share/doc/boards.md"
-GUIDE = "firmware/FIRST_ALERT.md"
+GUIDE = "host/share/doc/FIRST_ALERT.md"
 EXAMPLES = "host/share/examples"
 WEB_PAGE = "host/web/dist/fencepost.html"
 WEB_PLACE = "<!-- given -->"  # a copy of the page has its own data there

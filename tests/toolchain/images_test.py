@@ -91,8 +91,8 @@ class Images(Planted):
         source = self.root / "source"
         for name, content in (("CMakePresets.json", json.dumps({"configurePresets": [
                 {"name": "pico", "cacheVariables": {"FENCEPOST_BOARD": "pico"}}]})), (images.DOCUMENT, text),
-                (images.GUIDE, "# First\n\n![wires](../pictures/wires.svg) fencepost-VERSION-pico.uf2 [seen](../pictures/seen.md) [boards](../host/share/doc/boards.md)\n"),
-                ("pictures/wires.svg", "<svg/>"), ("pictures/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n"),
+                (images.GUIDE, "# First\n\n![wires](wires.svg) fencepost-VERSION-pico.uf2 [seen](seen.md) [boards](boards.md)\n"),
+                ("host/share/doc/wires.svg", "<svg/>"), ("host/share/doc/seen.md", "# Seen\n"), (images.EXAMPLES + "/stop.py", "pass\n"),
                 (images.WEB_PAGE, f"<html>{images.WEB_PLACE}<script></script></html>")):
             path = source / name
             path.parent.mkdir(parents=True, exist_ok=True)

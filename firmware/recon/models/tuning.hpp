@@ -47,8 +47,8 @@ inline constexpr float kPointRadius = 0.005F;
 
 // --- novelty ---
 
-/// share of the distance by which the lens has to move for a view to count in full. More: slow learning, worse with real
-/// boxes. Tuning table.
+/// share of the distance by which the lens has to move for a view to count in full. More: slow learning, worse with
+/// real boxes. Tuning table.
 inline constexpr float kNovelShare = 0.03F;
 /// share of a view that counts at least. More: a parked robot becomes certain. Tuning table, flat.
 inline constexpr float kMinNovelty = 0.05F;

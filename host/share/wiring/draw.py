@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: draw.py FOLDER [pins.md]
 
-Draws the wirings of firmware/FIRST_ALERT.md: FOLDER/wiring_*.svg. The boards' pins are those of host/share/doc/pins.md.
+Draws the wirings of host/share/doc/FIRST_ALERT.md: FOLDER/wiring_*.svg. The boards' pins are those of host/share/doc/pins.md.
 """
 
 import html

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: first_alert.py FENCEPOST SOURCES PART_CLOCK NODE EMULATOR IMAGE.uf2 VERSION [--write]
 
-Goes the way of firmware/FIRST_ALERT.md on an emulated Pico with programs that need no compiler. What it sees is compared
+Goes the way of host/share/doc/FIRST_ALERT.md on an emulated Pico with programs that need no compiler. What it sees is compared
 with what the guide shows; --write replaces that. PART_CLOCK (part_clock.cpp) is preloaded to those that have a clock: it is the part's,
 however busy this machine is. Numbers may differ; lines, their order and which levels of alerts come one after the other may not.
 """
@@ -312,7 +312,7 @@ def go(*facts):
 def main():
     if len(sys.argv) not in (8, 9):
         sys.exit(__doc__.strip())
-    document = pathlib.Path(sys.argv[2]) / "firmware/FIRST_ALERT.md"
+    document = pathlib.Path(sys.argv[2]) / "host/share/doc/FIRST_ALERT.md"
     text = document.read_text()
     blocks = dict(re.findall(r"<!-- (\w+) -->\n```\n(?:\$ [^\n]*\n)?(.*?)```", text, re.S))
     if set(blocks) != set(STEPS):

@@ -30,7 +30,7 @@ EveryBoardFacts facts() {
 }
 INSTANTIATE_TEST_SUITE_P(Pico, EveryBoard, ::testing::Values(facts()), profile_of);
 
-// firmware/FIRST_ALERT.md, steps 6 and 7: pushed by hand towards a red post, at 0.1 m/s.
+// host/share/doc/FIRST_ALERT.md, steps 6 and 7: pushed by hand towards a red post, at 0.1 m/s.
 TEST(Pico, SaysTheFirstAlertAsItsGuideDoes) {
   Bench bench(pico());
   ASSERT_TRUE(bench.await("odometry is silent: no $FPODO records come over the console; send them\r\n"))

@@ -11,7 +11,7 @@ TOP = pathlib.Path(sys.argv.pop(1))
 sys.path.insert(0, str(TOP / "host/share/wiring"))
 import draw  # noqa: E402
 
-GUIDE = TOP / "firmware/FIRST_ALERT.md"
+GUIDE = TOP / "host/share/doc/FIRST_ALERT.md"
 PINS = (TOP / "host/share/doc/pins.md").read_text(encoding="utf-8")
 SYSTEMS = ("Windows", "macOS", "Linux")
 # About the desk's program, which is one for Linux, and says so.
