@@ -111,9 +111,14 @@ class Map {
   // `lens`: by the map, which tells the guard how wide the feet of the things can be that it knows.
   [[gnu::noinline]] void look_out(const WaitingFrame& frame, const CameraModel& camera, const LensPose& by_odometry,
                                   const LensPose& lens) {
-    constexpr float kReach = 0.001F * guard::kForgotten;
     guard::KnownFeet feet;
-    for (std::size_t o = 0; camera.floor.usable() && o < Profile::kObjects; ++o) {
+    if (camera.floor.usable()) add_feet(lens, feet);
+    guard_.look(frame, camera, by_odometry, standing_.since(), feet);
+  }
+  // Returns before the guard looks, which needs the stack.
+  [[gnu::noinline]] void add_feet(const LensPose& lens, guard::KnownFeet& feet) const {
+    constexpr float kReach = 0.001F * guard::kForgotten;
+    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
       const ObjectType& object = slots()[o];
       const float depth = matcher_.prediction(o).depth;  // 0: it has no place
       if (!(depth > 0 && depth < kReach) || !object.confirmed || object.moving) continue;
@@ -127,7 +132,6 @@ class Map {
         add_foot(reaches_of(outline.view, lens.axis), -lens.lens_from(outline.origin), lens, object.signature, feet);
       }
     }
-    guard_.look(frame, camera, by_odometry, standing_.since(), feet);
   }
 
   // m, how far a thing reaches ahead, to the left, back and to the right of `from_lens` (map axes).
