@@ -42,7 +42,7 @@ class Standing {
     place_.position.y += step(std::int64_t{odometry.position.y} - place_.position.y);
     place_.heading += step(short_way(std::int64_t{odometry.heading} - place_.heading));
   }
-  // Of that many gates.
+  // True if the pose is no farther from the place than that many gates.
   [[nodiscard]] bool is_within(const MapPose& odometry, int gates) const {
     const auto within = [&](std::int64_t difference, std::int64_t gate) {
       return difference <= gates * gate && difference >= -gates * gate;

@@ -74,8 +74,9 @@ void compare_ends(ObjectCore& object, const Prediction& prediction, const Observ
 
 /// True if the blob overlaps the predicted interval, tolerance left out: it may hide the object.
 bool overlaps(const Prediction& prediction, const Observation& seen);
-/// True if the blob's foot was seen clearly higher in the image than the predicted one. The blob is then farther away
-/// and hides nothing of the object. False where no row is predicted.
+/// True if the blob's foot was seen clearly higher in the image than the object's. The blob is then farther away and
+/// hides nothing of the object. Compared is the last foot if the robot is stationary since, else the predicted one.
+/// False where there is neither.
 bool stands_behind(const Observation& seen, const Prediction& prediction);
 
 /// True if the robot has been stationary since it saw the object, and the blob's foot is elsewhere. The top has to be

@@ -76,7 +76,8 @@ struct ObjectCore {
     return left_off * right_off <= 0 && std::max(std::abs(left_off), std::abs(right_off)) >= kContradictingFrames;
   }
 
-  /// Evidence of one frame for its existence. A sighting counts twice what a missing one does: cameras miss.
+  /// Evidence of one frame for its existence. A sighting counts twice what a missing one does: cameras miss. The bound
+  /// lets a thing that is back be believed after a quarter of a second.
   void weigh(bool seen, base::Duration elapsed) {
     const std::int64_t missed = missed_for + (seen ? -2 : 1) * elapsed.raw;
     missed_for = static_cast<std::uint16_t>(std::clamp<std::int64_t>(missed, 0, 2 * kMoment.raw));
