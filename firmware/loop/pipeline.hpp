@@ -422,8 +422,9 @@ class Pipeline {
     recon::CorrectionOrder correction;
     const recon::CameraModel& camera = m_.calibration.models[frame.camera];
     correction.always = correct == config::kCorrectOn;
-    // Needs ranges by rows or configured widths. Without them landmarks are placed too badly to judge odometry.
-    const bool may_judge = correct == config::kCorrectAuto && (camera.pitch_known || widths_told());
+    // Needs ranges by rows, configured widths or bearings: unknown widths place landmarks too badly to judge odometry.
+    const bool may_judge =
+        correct == config::kCorrectAuto && (camera.pitch_known || widths_told() || m_.map.knows_bearings());
     if (correction.always || may_judge) correction.drift = 0.01F * settings.number(config::Key::kCorrectDrift);
     m_.map.add_frame(frame, camera, pose, noise_of(camera), confirmation, correction,
                      [this](std::uint8_t signature) { return width_of(signature); });

@@ -95,6 +95,12 @@ class Map {
   [[nodiscard]] MapPose corrected(const MapPose& odometry) const { return correction_.corrected(odometry); }
   [[nodiscard]] const PoseCorrection<Profile>& correction() const { return correction_; }
 
+  /// Some object is known by bearings alone: they place its middle, whatever its width.
+  [[nodiscard]] bool knows_bearings() const {
+    const auto by_bearings = [](const ObjectType& object) { return object.used() && object.cylinder.only_bearings(); };
+    return std::any_of(slots().begin(), slots().end(), by_bearings);
+  }
+
   [[nodiscard]] std::span<const ObjectType> slots() const { return table_.objects(); }
   [[nodiscard]] std::uint64_t digest() const { return digest_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }

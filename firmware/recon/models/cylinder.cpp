@@ -312,6 +312,18 @@ bool Cylinder::edges_know(const CylinderEstimate& from_edges, const Vec2& lens) 
   return variance * false_depth_ * kTrueDepth < 1.0F;
 }
 
+RangeBounds Cylinder::range_along(const Vec2& lens, const Vec2& bearing) const {
+  const Symmetric3& m = edges_.information;
+  const Vec2 row{m.xx * bearing.x() + m.xy * bearing.y(), m.xy * bearing.x() + m.yy * bearing.y()};
+  // Noisy directions have parallax to themselves.
+  const float known = row.dot(bearing) - false_depth_;
+  if (!only_bearings() || !(known > 0)) return {};
+  const float range = (bearing.dot(edges_.moment) - row.dot(lens)) / known;
+  const float reach = kGateSigmas / std::sqrt(known);
+  const RangeBounds bounds{std::max(kNearestObject, range - reach), range + reach};
+  return bounds.least < bounds.most ? bounds : RangeBounds{};
+}
+
 void Cylinder::move_origin(const Vec2& shift) {
   edges_.move_origin(shift);
   rows_.move_origin(shift);

@@ -75,6 +75,12 @@ struct NormalEquations {
   void scale(float factor);
 };
 
+/// The distances at which an object may be while none is known, m.
+struct RangeBounds {
+  float least = kNearestObject;
+  float most = 0;  ///< 0: any
+};
+
 /// Incremental robust estimator of one object. Local frame of the object; `lens` below is in it.
 class Cylinder {
  public:
@@ -96,6 +102,8 @@ class Cylinder {
   /// The circle of the edges and the configured radius alone: rows lie with a wrong pitch or a foot in the air. `lens`
   /// as in solve().
   [[nodiscard]] CylinderEstimate by_edges(const Vec2& lens) const;
+  /// The distances from `lens` in the direction `bearing` (unit) that bearings leave, by kGateSigmas; of edges any.
+  [[nodiscard]] RangeBounds range_along(const Vec2& lens, const Vec2& bearing) const;
   /// No end was ever seen: its width is not.
   [[nodiscard]] bool only_bearings() const {
     const Symmetric3& edges = edges_.information;

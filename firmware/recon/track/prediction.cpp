@@ -85,23 +85,30 @@ Prediction predict_cylinder(const CameraModel& camera, const LensPose& pose, con
   return predict_place(camera, pose, object, estimate, seen, noise);
 }
 
-// No distance yet: the object is somewhere on its last bearing.
+// No distance yet: the object is somewhere on its last bearing, between the bounds that all its views leave.
 Prediction predict_bearing(const CameraModel& camera, const LensPose& pose, const ObjectCore& object,
                            const MeasurementNoise& noise) {
   const Vec2 lens = pose.lens_from(object.origin);
-  const Vec2 nearest = object.last_lens + kNearestObject * object.last_bearing - lens;
-  const Vec2 far = to_camera(pose, object.last_bearing);
-  const Vec2 near = to_camera(pose, nearest / std::max(1e-3F, nearest.norm()));
+  const RangeBounds range = object.cylinder.range_along(object.last_lens, object.last_bearing);
+  const auto direction_at = [&](float distance) {
+    const Vec2 away = object.last_lens + distance * object.last_bearing - lens;
+    return to_camera(pose, away / std::max(1e-3F, away.norm()));
+  };
+  const Vec2 far = range.most > 0 ? direction_at(range.most) : to_camera(pose, object.last_bearing);
+  const Vec2 near = direction_at(range.least);
   Prediction prediction;
   if (!(far.x() > kSideways)) return prediction;
   const float u_far = column_of(camera, far);
   const float u_near = column_of(camera, near);
   prediction.left.at = whole_pixels(u_far);
   prediction.right.at = whole_pixels(u_near);
-  prediction.left_tolerance =
-      whole_pixels(camera.fx * (kSlackRadians + (!is_edge(object.left) ? kHiddenRadians : 0.0F)));
-  prediction.right_tolerance =
-      whole_pixels(camera.fx * (kSlackRadians + (!is_edge(object.right) ? kHiddenRadians : 0.0F)));
+  // Of a bearing the middle was seen, whatever hides the ends.
+  const auto tolerance = [&](End end) {
+    if (object.cylinder.only_bearings()) return whole_pixels(camera.fx * kSlackRadians + kGateSigmas * noise.edge_px);
+    return whole_pixels(camera.fx * (kSlackRadians + (is_edge(end) ? 0.0F : kHiddenRadians)));
+  };
+  prediction.left_tolerance = tolerance(object.left);
+  prediction.right_tolerance = tolerance(object.right);
   // Without a distance the rows stay about where they were.
   const HeightBand::Sums& top = object.band.top();
   const HeightBand::Sums& bottom = object.band.bottom();

@@ -111,6 +111,7 @@ TEST(Map, KeepsObjectsOfOneColourApartByPlace) {
     const double y = 0.3 * std::sin(0.1 * i);
     drive.step(posts, 0.008 * i, y, -0.15 * y);
   }
+  EXPECT_FALSE(drive.map->knows_bearings());
   const auto objects = drive.objects();
   ASSERT_EQ(objects.size(), 3U);
   for (const auto* object : objects) {
@@ -143,6 +144,7 @@ TEST(Map, BearingsAlonePlacePointsAndGiveNoOutlineAndNoFoot) {
     drive.take(bearings_of(drive.look(posts, 0.008 * i, y, -0.15 * y)), 0.008 * i, y, -0.15 * y);
   }
   EXPECT_TRUE(drive.map->guard().fronts().empty());
+  EXPECT_TRUE(drive.map->knows_bearings());
   const auto objects = drive.objects();
   ASSERT_EQ(objects.size(), posts.size());
   for (const auto* object : objects) {

@@ -98,6 +98,45 @@ TEST(Prediction, OfPlacesOnALattice) {
                "possible 10956 9064de4b", "expected 3502 1b217450"});
 }
 
+/// One that was seen from three places by its middle, which is at (2, 0). The last place is the origin.
+recon::ObjectCore seen_by_bearings() {
+  recon::ObjectCore object;
+  for (const float aside : {-0.25F, 0.25F, 0.0F}) {
+    recon::Sighting sighting;
+    sighting.lens = {0, aside};
+    sighting.center = Vec2(2, -aside).normalized();
+    sighting.bearing = true;
+    sighting.focal = 256;
+    object.cylinder.add(sighting, object.origin, 1, {});
+  }
+  object.last_bearing = {1, 0};
+  object.left = object.right = recon::End::kOccluded;
+  return object;
+}
+
+// Bearings bound the distance before they know it. Nothing hides the middle of a bearing.
+TEST(Prediction, OfABearingIsBetweenTheDistancesThatItsViewsLeave) {
+  Draw none(1);
+  recon::CameraModel camera = lattice_camera(none);
+  camera.equidistant = camera.bent = camera.pitch_known = false;
+  recon::LensPose pose;
+  pose.lens = {0, 0.5F};  // 256 columns a metre of offset at 1 m: at 2 m it is 64 to the right, far away 0
+  const auto predicted = [&](const recon::ObjectCore& object) {
+    return recon::predict(camera, pose, object, recon::CylinderEstimate{}, {});
+  };
+  const Prediction told = predicted(seen_by_bearings());
+  EXPECT_GT(told.left.at, camera.cx + 40);
+  EXPECT_LT(told.left.at, camera.cx + 64);
+  EXPECT_GT(told.right.at, camera.cx + 64);
+  EXPECT_LT(told.right.at, camera.cx + 90);
+  EXPECT_EQ(told.left_tolerance, 16);  // 256 times 0.05 rad, and 3 times 1.2 px
+  EXPECT_EQ(told.right_tolerance, 16);
+  recon::ObjectCore once;
+  once.last_bearing = {1, 0};
+  EXPECT_EQ(predicted(once).left.at, camera.cx) << "one view leaves any distance";
+  EXPECT_EQ(predicted(once).right.at, camera.cx + 1'280);
+}
+
 // Nothing is uncertain: a column is where it is. The sides that have to be inside the image are, from the border on.
 TEST(Prediction, IsExpectedInsideTheBorderOnly) {
   Draw none(1);
