@@ -53,8 +53,8 @@ class Map {
     const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
     const auto look = correction_.look_at(table_.exposure());
-    const auto place_of = [&](const ObjectCore& object, std::size_t slot) {
-      return correction_.place_of(object, slot, look);
+    const auto place_of = [&](const ObjectCore& object, std::size_t slot, bool alone) {
+      return correction_.place_of(object, slot, look, alone);
     };
     matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
     look_out(frame, camera, by_odometry, lens);

@@ -79,8 +79,9 @@ inline constexpr float kEvidenceSlack = 0.1F;
 /// Mean surprise from which on a landmark is something that moves: a jump of the pose is over before that. Derived:
 /// where Huber's tails begin. Real runs, with the other robots.
 inline constexpr float kStraying = kUsualSigmas * kUsualSigmas;
-/// Factor on the sigma of where a landmark should appear: wheels slip and are lifted, which has longer tails than what
-/// the filter knows. Less: landmarks seen double after a blind stretch. Real runs.
+/// Factor on the sigma of where a landmark should appear that is alone of its colour. Wheels slip and are lifted, which
+/// has longer tails than what the filter knows. Less: landmarks seen double after a blind stretch. Among likes so vague
+/// a prediction would take any blob. Real runs.
 inline constexpr float kLongTails = 3.0F;
 
 /// m/sqrt(m) for each share by which distances of odometry are off: sigma of the position. Drift study.

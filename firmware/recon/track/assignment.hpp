@@ -32,9 +32,10 @@ void assign(std::span<const std::uint8_t> costs, std::size_t objects, std::span<
 
 /// The same for at most `kObjects` objects.
 template <std::size_t kObjects>
-[[gnu::noinline]] void assign(std::span<const std::uint8_t> costs, std::span<std::uint8_t> object_of) {
+[[gnu::noinline]] void assign(std::span<const std::uint8_t> costs, std::size_t objects,
+                              std::span<std::uint8_t> object_of) {
   std::array<AssignmentColumn, kObjects + sensor::kMaxBlobs + 1> scratch{};
-  assign(costs, kObjects, object_of, scratch);
+  assign(costs, objects, object_of, scratch);
 }
 
 }  // namespace fencepost::recon

@@ -1,6 +1,7 @@
 // Which blob of one frame is which object. Scratch: nothing in here outlives the frame.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -23,16 +24,21 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// Predicts each object's place in the image. `place_of(object, slot)`: its place in its local frame, if a better one
-  /// than that of its models is known. `stands_since`: see Standing.
+  /// Predicts each object's place in the image. `place_of(object, slot, alone)`: its place in its local frame, if a
+  /// better one than that of its models is known; `alone` of its colour. `stands_since`: see Standing.
   template <class PlaceOf>
   [[gnu::noinline]] void predict(const Objects& objects, base::Time stands_since, const CameraModel& camera,
                                  const LensPose& lens, const MeasurementNoise& noise, const PlaceOf& place_of) {
+    slots_ = 0;
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
       blob_of_[o] = kNoMatch;
       if (!objects[o].used()) continue;
-      predictions_[o] = predict_one(objects[o], camera, lens, place_of(objects[o], o), noise);
+      slots_ = o + 1;
+      const bool alone = is_alone(objects, o);
+      const std::optional<CylinderEstimate> place = place_of(objects[o], o, alone);
+      predictions_[o] = predict_one(objects[o], camera, lens, place, noise);
+      if (predictions_[o].anywhere && !(place && alone)) predictions_[o].possible = false;
       predictions_[o].signature = objects[o].signature;
       predictions_[o].confirmed = objects[o].confirmed;
       predictions_[o].hides = objects[o].confirmed && !objects[o].cylinder.only_bearings();
@@ -48,7 +54,7 @@ class Matcher {
   [[gnu::noinline]] void observe(WaitingFrame& frame, const CameraModel& camera, const Objects& objects) {
     recon::observe(frame.blobs.view(), camera, observations_);
     in_pieces_.fill(false);
-    const auto find = [&] { return find_pieces(observations_.view(), predictions_); };
+    const auto find = [&] { return find_pieces(observations_.view(), std::span(predictions_).first(slots_)); };
     for (PiecePair pair = find(); pair.found; pair = find()) {  // each time a blob or an object less
       if (pair.whole != kNoMatch) {
         in_pieces_[pair.whole] = true;
@@ -72,7 +78,7 @@ class Matcher {
   [[gnu::noinline]] std::uint16_t match(std::uint8_t id_cost) {
     const std::size_t blobs = observations_.size();
     weigh_pairs(id_cost);
-    assign<kObjects>(costs_, {object_of_.data(), blobs});
+    assign<kObjects>(costs_, slots_, {object_of_.data(), blobs});
     std::uint16_t matched = 0;
     for (std::size_t b = 0; b < blobs; ++b) {
       if (object_of_[b] == kNoMatch) continue;
@@ -117,7 +123,7 @@ class Matcher {
   /// object's interval on the same foot, or it is alike and close beside the object's blob. A piece that stays beside
   /// it for kFewestViews no longer counts.
   [[nodiscard]] std::size_t piece_of(const Objects& objects, std::size_t b) const {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < slots_; ++o) {
       if (!may_be_piece(o, b)) continue;
       const int step = taken_by(o).box.y2 - observations_[b].box.y2;
       const bool inside = covers(predictions_[o], observations_[b]) && step <= kTouchPixels && step >= -kTouchPixels;
@@ -127,12 +133,13 @@ class Matcher {
   }
   /// Objects up to this slot whose blob has a leftover one like itself beside it are in pieces in this frame.
   void count_as_pieces(std::size_t b, std::size_t last) {
-    for (std::size_t o = 0; o < kObjects && o <= last; ++o) {
+    for (std::size_t o = 0; o < slots_ && o <= last; ++o) {
       if (may_be_piece(o, b) && alike(o, b)) in_pieces_[o] = true;
     }
   }
 
   void begin(std::size_t o, std::size_t b) {
+    slots_ = std::max(slots_, o + 1);
     blob_of_[o] = static_cast<std::uint8_t>(b);
     object_of_[b] = static_cast<std::uint8_t>(o);
     shared_[o] = {};
@@ -175,6 +182,13 @@ class Matcher {
     }
   }
 
+  // No other object has its colour.
+  static bool is_alone(const Objects& objects, std::size_t o) {
+    return std::none_of(objects.begin(), objects.end(), [&](const ObjectType& other) {
+      return other.used() && other.signature == objects[o].signature && other.id != objects[o].id;
+    });
+  }
+
   // The object turned out to be two that were never apart in the image before: nothing matches it any more.
   static void divide(Prediction& prediction) {
     prediction.divided = true;
@@ -184,7 +198,7 @@ class Matcher {
 
   void weigh_pairs(std::uint8_t id_cost) {
     const std::size_t blobs = observations_.size();
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < slots_; ++o) {
       for (std::size_t b = 0; b < blobs; ++b) {
         // A blob without an edge of its own fits anything before it, so its foot decides.
         const Prediction& object = predictions_[o];
@@ -203,9 +217,9 @@ class Matcher {
     shared_.fill(Shared{});
     for (std::size_t b = 0; b < observations_.size(); ++b) {
       const std::uint8_t signature = observations_[b].signature;
-      for (std::size_t left = 0; left < kObjects; ++left) {
+      for (std::size_t left = 0; left < slots_; ++left) {
         if (predictions_[left].signature != signature) continue;
-        for (std::size_t right = 0; right < kObjects; ++right) {
+        for (std::size_t right = 0; right < slots_; ++right) {
           if (predictions_[right].signature == signature && may_share(left, right, b)) share(left, right, b);
         }
       }
@@ -218,12 +232,18 @@ class Matcher {
       if (object_of_[b] == kNoMatch || shared_[object_of_[b]].any) continue;
       const Prediction& own = predictions_[object_of_[b]];
       Observation& seen = observations_[b];
-      for (std::size_t o = 0; o < kObjects; ++o) {
-        if (!predictions_[o].hides || o == object_of_[b]) continue;  // most of them hide nothing
+      for (std::size_t o = 0; o < slots_; ++o) {
+        if (o == object_of_[b] || !may_hide(o)) continue;
         if (hides_end(predictions_[o], own, seen.left_column, -1)) seen.left = End::kLowerBound;
         if (hides_end(predictions_[o], own, seen.right_column, 1)) seen.right = End::kLowerBound;
       }
     }
+  }
+
+  // With a wrong pose much seems to be in the way. Were all of it to hide ends, nothing could correct the pose.
+  [[nodiscard]] bool may_hide(std::size_t o) const {
+    const Prediction& nearer = predictions_[o];
+    return nearer.hides && (seen(o) || (nearer.possible && !nearer.refuted));
   }
 
   // All three of one signature.
@@ -250,6 +270,7 @@ class Matcher {
   }
   [[nodiscard]] bool alike(std::size_t o, std::size_t b) const { return are_alike(taken_by(o), observations_[b]); }
 
+  std::size_t slots_ = 0;  ///< of objects, up to the last one in use
   std::array<Prediction, kObjects> predictions_{};
   Observations observations_;
   std::array<std::uint8_t, kObjects * sensor::kMaxBlobs> costs_{};  ///< [object][blob], as many columns as blobs

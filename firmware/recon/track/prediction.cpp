@@ -66,9 +66,8 @@ Prediction predict_place(const CameraModel& camera, const LensPose& pose, const 
   prediction.expected = foot_inside(camera, prediction.bottom) && u_left > kTouchPixels &&
                         u_right < columns - kTouchPixels && near_square > kNearestObject * kNearestObject &&
                         near_square < kRowMaxDepth * kRowMaxDepth;
-  const bool reaches_in = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
-  const bool somewhere = std::min(left_sigma, right_sigma) >= kSomewhere * columns;
-  prediction.possible = reaches_in && (prediction.expected || !somewhere);
+  prediction.possible = u_right + right_tolerance > 0 && u_left - left_tolerance < columns;
+  prediction.anywhere = !prediction.expected && std::min(left_sigma, right_sigma) >= kSomewhere * columns;
   return prediction;
 }
 

@@ -33,7 +33,8 @@ struct Prediction {
   bool confirmed = false;
   bool hides = false;     ///< confirmed, and its ends are known: it cuts things behind it
   bool divided = false;   ///< it turned out to be two objects; nothing matches it
-  bool possible = false;  ///< it can be in the image, and is likelier there than something new
+  bool possible = false;  ///< it can be in the image
+  bool anywhere = false;  ///< even where it is predicted, a blob is as likely of something new of its colour
   bool expected = false;  ///< well inside the image, near and well known: not seeing it means something
 };
 

@@ -65,6 +65,7 @@ template <class Profile>
 struct Drive {
   std::unique_ptr<recon::Map<Profile>> map = std::make_unique<recon::Map<Profile>>();
   recon::CameraModel model = camera();
+  recon::CorrectionOrder correction;
   std::uint32_t frame = 0;
 
   sensor::BlobFrame look(const std::vector<Post>& posts, double x, double y, double heading) {
@@ -84,7 +85,7 @@ struct Drive {
         {static_cast<std::int32_t>(std::lround(x * 1e5)), static_cast<std::int32_t>(std::lround(y * 1e5))},
         static_cast<std::int32_t>(std::lround(heading * 1e6))};
     recon::WaitingFrame waiting = recon::make_waiting(seen, 0);
-    return map->add_frame(waiting, model, pose, {}, {});
+    return map->add_frame(waiting, model, pose, {}, {}, correction);
   }
   recon::FrameOutcome step(const std::vector<Post>& posts, double x, double y, double heading) {
     return take(look(posts, x, y, heading), x, y, heading);
@@ -124,6 +125,29 @@ TEST(Map, KeepsObjectsOfOneColourApartByPlace) {
     EXPECT_EQ(object->signature, nearest->signature);
     EXPECT_NEAR(static_cast<double>(object->cylinder.estimate().radius), nearest->radius, 0.012);
   }
+}
+
+// 1.6 m without a landmark. The heading's sigma is then a quarter of a radian, less than half the image. The post is
+// likelier the known one than a new one.
+template <class Profile>
+void expect_known_after_a_blind_stretch() {
+  const std::vector<Post> posts = {{1, 4.0, 0.0, 0.06}};
+  Drive<Profile> drive;
+  drive.correction = {0.3F, true};
+  for (int i = 0; i < 60; ++i) drive.step(posts, 0.008 * i, 0.3 * std::sin(0.1 * i), 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  const std::uint32_t known = drive.objects()[0]->id;
+  for (int i = 0; i < 20; ++i) drive.step({}, 0.48 - 0.04 * i, 0, 0);
+  for (int i = 0; i < 20; ++i) drive.step({}, -0.32 + 0.04 * i, 0, 0);
+  EXPECT_GT(drive.map->correction().sigma().heading, 0.2F);
+  for (int i = 0; i < 5; ++i) drive.step(posts, 0.48, 0.01 * i, 0);
+  ASSERT_EQ(drive.objects().size(), 1U);
+  EXPECT_EQ(drive.objects()[0]->id, known);
+}
+
+TEST(Map, KnowsALandmarkAgainAfterABlindStretch) {
+  expect_known_after_a_blind_stretch<config::Small>();
+  expect_known_after_a_blind_stretch<config::Full>();
 }
 
 // The same posts, of which the camera tells the middles alone.

@@ -23,7 +23,8 @@ using Matcher = recon::Matcher<Thing, kThings>;
 struct Places {
   std::array<std::optional<recon::CylinderEstimate>, kThings> circles;
 
-  const std::optional<recon::CylinderEstimate>& operator()(const Thing& /*object*/, std::size_t slot) const {
+  const std::optional<recon::CylinderEstimate>& operator()(const Thing& /*object*/, std::size_t slot,
+                                                           bool /*alone*/) const {
     return circles[slot];
   }
 };
@@ -120,6 +121,73 @@ TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
                       "may be hidden 32382 ce6a682e", "divided 1320 04c819b1", "left end 8719 5f7950a8",
                       "right end 8697 ad989357", "top 718 d8d5a798", "bottom 6142 820a7640", "foot 25788 1a5bd3af",
                       "taken 25915 90c373d9", "piece of 30145 7f2c6d43", "part of 1622 fd2feffb"});
+}
+
+Thing known_thing(std::uint32_t id, std::uint8_t signature) {
+  Thing thing;
+  thing.id = id;
+  thing.signature = signature;
+  thing.confirmed = true;
+  thing.left = thing.right = recon::End::kSeen;
+  return thing;
+}
+
+// After one frame with one box of signature 1.
+std::unique_ptr<Matcher> after_box(const Things& things, const Places& places, std::int16_t left, std::int16_t right) {
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2(0));
+  auto matcher = std::make_unique<Matcher>();
+  recon::WaitingFrame frame{{1'000}, 0, 0, {}};
+  static_cast<void>(frame.blobs.push_back({{left, 90, right, 138}, 1, false}));
+  matcher->predict(things, {900}, camera, recon::lens_pose({}, camera), {}, places);
+  matcher->observe(frame, camera, things);
+  matcher->match(0);
+  return matcher;
+}
+
+TEST(Matcher, OneOfItsColourIsTheOneWhateverThePoseIs) {
+  for (const bool namesake : {false, true}) {
+    Things things;
+    Places places;
+    things[0] = known_thing(1, 1);
+    places.circles[0] = circle_at(1, 0.875F);  // left of the image
+    places.circles[0]->covariance.yy = 1;      // or anywhere in it
+    things[1] = known_thing(2, namesake ? 1 : 2);
+    places.circles[1] = circle_at(-1, 0);
+    EXPECT_EQ(after_box(things, places, 220, 254)->seen(0), !namesake);
+  }
+}
+
+TEST(Matcher, WhatTheFrameRefutesHidesNothing) {
+  for (const bool refuted : {false, true}) {
+    Things things;
+    Places places;
+    things[0] = known_thing(1, 1);
+    places.circles[0] = circle_at(1, 0);
+    things[1] = known_thing(2, 2);  // nearer, before the left end, and without a box of its own
+    places.circles[1] = circle_at(0.5F, 0.0625F);
+    if (refuted) things[1].missed_for = static_cast<std::uint16_t>(recon::kMoment.raw);
+    const auto matcher = after_box(things, places, 140, 174);
+    ASSERT_TRUE(matcher->seen(0));
+    EXPECT_EQ(matcher->observation_of(0).left, refuted ? recon::End::kSeen : recon::End::kLowerBound);
+    EXPECT_EQ(matcher->observation_of(0).right, recon::End::kSeen);
+  }
+}
+
+// With a wrong pose the map has things before the lens that are elsewhere.
+TEST(Matcher, WhatCannotBeInTheImageHidesNothing) {
+  Things things;
+  Places places;
+  things[0] = known_thing(1, 1);
+  places.circles[0] = circle_at(1, 0);
+  things[1] = known_thing(2, 2);
+  places.circles[1] = circle_at(0.5F, 0.4375F);
+  places.circles[1]->covariance.yy = 1;
+  things[2] = known_thing(3, 2);
+  places.circles[2] = circle_at(-1, 0);
+  const auto matcher = after_box(things, places, 140, 174);
+  ASSERT_TRUE(matcher->seen(0));
+  EXPECT_EQ(matcher->observation_of(0).left, recon::End::kSeen);
+  EXPECT_EQ(matcher->observation_of(0).right, recon::End::kSeen);
 }
 
 }  // namespace
