@@ -65,7 +65,7 @@ struct Small {
 /// The desk and Linux brains.
 struct Full {
   static constexpr std::string_view kName = "full";
-  static constexpr std::size_t kObjects = 32;
+  static constexpr std::size_t kObjects = 64;           ///< 45 s along parked cars fill 32
   static constexpr std::size_t kModelTurns = kObjects;  ///< all that are seen
   static constexpr std::size_t kLookTurns = kObjects;
   static constexpr base::Duration kModelInterval{0};
@@ -76,12 +76,12 @@ struct Full {
   static constexpr std::size_t kPoses = 256;
   static constexpr std::size_t kOutputBytes = 16384;
   static constexpr std::size_t kJournalBytes = 0;
-  static constexpr std::size_t kBudget = 96 * 1024;
+  static constexpr std::size_t kBudget = 192 * 1024;
   static constexpr std::size_t kHybridSectors = 64;
   static constexpr std::size_t kHybridOrder = 3;
   static constexpr int kHybridSteps = 0;  ///< all of them
   static constexpr bool kPredictsByOutline = true;
-  static constexpr std::size_t kPoseBytes = 18'688;  ///< 32 landmarks; 8 need 1.6 KB
+  static constexpr std::size_t kPoseBytes = 69'760;  ///< 64 landmarks; 8 need 1.6 KB
   using Models = recon::ModelList<recon::Cylinder, recon::Hybrid<kHybridSectors>>;
   using ComparisonModels = recon::NoModels;
   using OutlineBatch = recon::NoBatch;

@@ -188,7 +188,7 @@ FENCEPOST_API const char* fencepost_level_text(fencepost_level level);
 FENCEPOST_API const fencepost_capacity* fencepost_micro(void);
 /* 8 objects, 26 KB. */
 FENCEPOST_API const fencepost_capacity* fencepost_small(void);
-/* 32 objects, 224 KB. */
+/* 64 objects, 384 KB. */
 FENCEPOST_API const fencepost_capacity* fencepost_full(void);
 /* Bytes that a core of this capacity needs, and how they must be aligned. 0 of a null pointer. */
 FENCEPOST_API size_t fencepost_bytes(const fencepost_capacity* capacity);

@@ -116,7 +116,7 @@ static void a_core_in_memory_of_the_caller_stops(void) {
 
 static void a_core_on_the_heap_is_one_of_each_capacity(void) {
   const fencepost_capacity *capacities[] = {fencepost_micro(), fencepost_small(), fencepost_full()};
-  const size_t objects[] = {4, 8, 32}, kilobytes[] = {12, 26, 224};
+  const size_t objects[] = {4, 8, 64}, kilobytes[] = {12, 26, 384};
   const fencepost_camera camera = pixy2();
   for (int i = 0; i < 3; ++i) {
     EXPECT(fencepost_capacity_objects(capacities[i]) == objects[i]);

@@ -112,7 +112,7 @@ class Core:
 
     def __init__(self, camera: typing.Optional[Camera] = None, size: str = "full",
                  log: typing.Optional[typing.BinaryIO] = None) -> None:
-        """`size`: micro, small or full, which is 4, 8 or 32 objects. `log` gets what `replay` plays again."""
+        """`size`: micro, small or full, which is 4, 8 or 64 objects. `log` gets what `replay` plays again."""
         if size not in ("micro", "small", "full"):
             raise ValueError("'%s' is no size; take micro, small or full" % size)
         self._library = c.library()
