@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kKittiLensHeight = 1.65;  // m above the road; source: KITTI's description of its car
 constexpr double kCarWidth = 1.8;          // m, of the recording car
-constexpr int kMaxOccluded = 1;            // partly: the box of a largely hidden thing is a guess
 
 /// Which labelled cars were parked: m, of the places that one track has in the world.
 constexpr double kMaxScatter = 0.6;     // median distance from the median place
@@ -137,7 +136,7 @@ class KittiImport {
     for (const KittiLabel& label : frame.labels) {
       if (!label.is_car()) {
         ++taken.skipped["labels of other things than cars"];
-      } else if (label.occluded > kMaxOccluded) {
+      } else if (!label.is_shown()) {
         ++taken.skipped["labels of cars that are largely hidden"];
       } else {
         add_box(label.box, signature_of(label.track), id_of(label.track), made);
@@ -153,9 +152,7 @@ class KittiImport {
     for (const auto& [track, labels] : tracks_) taken.names[signature_of(track)] = name_of(track);
   }
 
-  [[nodiscard]] std::string name_of(int track) const {
-    return tracks_.at(track).front().label->kind + " " + std::to_string(track);
-  }
+  [[nodiscard]] std::string name_of(int track) const { return tracks_.at(track).front().label->name(); }
 
   [[nodiscard]] sensor::CameraIntrinsics camera() const {
     sensor::CameraIntrinsics camera;

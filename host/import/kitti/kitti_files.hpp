@@ -31,6 +31,10 @@ struct KittiLabel {
   double yaw = 0;  ///< rad, about the vertical axis; 0 points right
 
   [[nodiscard]] bool is_car() const { return kind == "Car" || kind == "Van" || kind == "Truck"; }
+  /// Not largely hidden: the box of a car that is, is a guess.
+  [[nodiscard]] bool is_shown() const { return occluded <= 1; }
+  /// Of its track in logs and scenes.
+  [[nodiscard]] std::string name() const { return kind + " " + std::to_string(track); }
 };
 
 struct KittiFrame {

@@ -24,6 +24,8 @@ constexpr double kBehind = -0.5;  // m, what is just beside the lens counts
 
 /// Found cars with fewer views have hardly an outline.
 constexpr std::uint32_t kMinViews = 15;
+/// A car that was not found is missed if it was shown in as many frames: so for `evaluate`.
+constexpr std::size_t kMinShown = 20;
 
 struct Way {
   double reach = 0;  // m
@@ -81,10 +83,23 @@ void count_stops(const host::KittiDrive& drive, const std::vector<record::AlertR
   }
 }
 
-void count_objects(const host::Evaluation& evaluation, const host::Scene& truth, bool identity, KittiScore& score) {
+// Frames whose labels show each car, by name.
+std::map<std::string, std::size_t> shown_frames(const host::KittiDrive& drive) {
+  std::map<std::string, std::size_t> frames;
+  for (const host::KittiFrame& frame : drive.frames)
+    for (const host::KittiLabel& label : frame.labels)
+      if (label.is_car() && label.is_shown()) ++frames[label.name()];
+  return frames;
+}
+
+void count_objects(const host::KittiDrive& drive, const host::Evaluation& evaluation, const host::Scene& truth,
+                   bool identity, KittiScore& score) {
+  std::map<std::string, std::size_t> shown = shown_frames(drive);
   for (const host::ObjectEvaluation& object : evaluation.objects) {
-    if (object.missed) ++score.missed;
-    if (!object.found || object.found->state == record::ObjectState::kTentative) continue;
+    if (!object.found || object.found->state == record::ObjectState::kTentative) {
+      if (shown[object.name] >= kMinShown) ++score.missed;
+      continue;
+    }
     ++score.found;
     if (object.cuts.empty() || object.found->views < kMinViews) continue;
     for (const host::ModelScore& model : object.cuts.back().models) {
@@ -121,7 +136,7 @@ void run_drive(const std::string& folder, const KittiConfigured& configured,
   score.end_error.push_back(std::hypot(pose.x / options.scale - end.x, pose.y / options.scale - end.y));
   score.seconds += static_cast<double>(drive.frames.size()) / host::kKittiRate;
   count_stops(drive, outcome.replay.result.alerts, score);
-  count_objects(outcome.evaluation, *imported->truth, options.identity, score);
+  count_objects(drive, outcome.evaluation, *imported->truth, options.identity, score);
   ++score.drives;
 }
 
