@@ -24,8 +24,6 @@ constexpr double kBehind = -0.5;  // m, what is just beside the lens counts
 
 /// Found cars with fewer views have hardly an outline.
 constexpr std::uint32_t kMinViews = 15;
-/// A car that was not found is missed if it was shown in as many frames: so for `evaluate`.
-constexpr std::size_t kMinShown = 20;
 
 struct Way {
   double reach = 0;  // m
@@ -97,7 +95,7 @@ void count_objects(const host::KittiDrive& drive, const host::Evaluation& evalua
   std::map<std::string, std::size_t> shown = shown_frames(drive);
   for (const host::ObjectEvaluation& object : evaluation.objects) {
     if (!object.found || object.found->state == record::ObjectState::kTentative) {
-      if (shown[object.name] >= kMinShown) ++score.missed;
+      if (shown[object.name] >= host::kVisibleFrames) ++score.missed;
       continue;
     }
     ++score.found;
