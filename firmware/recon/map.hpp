@@ -53,10 +53,10 @@ class Map {
     const MapPose driven = correction_.drive(odometry, correction);
     if (driven != odometry) lens = lens_pose(driven, camera);
     const auto look = correction_.look_at(table_.exposure());
-    const auto place_of = [&](const ObjectCore& object, std::size_t slot, bool alone) {
-      return correction_.place_of(object, slot, look, alone);
+    const auto place_of = [&](const ObjectCore& object, std::size_t slot, const auto& is_alone) {
+      return correction_.place_of(object, slot, look, is_alone);
     };
-    matcher_.predict(table_.objects(), standing_.since(), camera, lens, noise, place_of);
+    matcher_.predict(table_.objects(), table_.exposure(), standing_.since(), camera, lens, noise, place_of);
     look_out(frame, camera, by_odometry, lens);
     matcher_.observe(frame, camera, table_.objects());
     matcher_.tell_widths(width_of);

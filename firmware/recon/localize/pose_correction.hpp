@@ -118,11 +118,12 @@ class PoseCorrection {
     return look;
   }
   /// For matching: the object in `slot` by its landmark, in its local frame. The filter knows how far the pose has
-  /// drifted since the object was seen, which closes the loop. `alone`: the map has no other of its colour. Nothing if
-  /// there is no landmark. Nothing for an object in view that agrees with its landmark either, as long as odometry
-  /// gives the pose.
+  /// drifted since the object was seen, which closes the loop. `is_alone()`: the map has no other of its colour.
+  /// Nothing if there is no landmark. Nothing for an object in view that agrees with its landmark either, as long as
+  /// odometry gives the pose.
+  template <class IsAlone>
   [[nodiscard]] std::optional<CylinderEstimate> place_of(const ObjectCore& object, std::size_t slot, const Look& look,
-                                                         bool alone) {
+                                                         const IsAlone& is_alone) {
     if (!running_ || !filter_.landmark(slot).used()) return std::nullopt;
     const Vec2 away = offset_from(pose().position, filter_.landmark(slot).center);
     const Vec2 center = offset_from(object.origin, look.position) + rotated(look.turn, away);
@@ -131,7 +132,7 @@ class PoseCorrection {
     CylinderEstimate place = seen_from_robot(filter_.view(), slot);
     place.center = center;
     if (in_view && stands_there(object, place)) return std::nullopt;
-    if (corrects_ && alone) place.covariance.scale(kLongTails * kLongTails);
+    if (corrects_ && is_alone()) place.covariance.scale(kLongTails * kLongTails);
     return place;
   }
   [[nodiscard]] MeasurementNoise model_noise(MeasurementNoise noise) const {

@@ -24,21 +24,23 @@ class Matcher {
  public:
   using Objects = std::array<ObjectType, kObjects>;
 
-  /// Predicts each object's place in the image. `place_of(object, slot, alone)`: its place in its local frame, if a
-  /// better one than that of its models is known; `alone` of its colour. `stands_since`: see Standing.
+  /// Predicts each object's place in the image. `place_of(object, slot, is_alone)`: its place in its local frame, if a
+  /// better one than that of its models is known; `is_alone()` of its colour. `stands_since`: see Standing.
   template <class PlaceOf>
-  [[gnu::noinline]] void predict(const Objects& objects, base::Time stands_since, const CameraModel& camera,
-                                 const LensPose& lens, const MeasurementNoise& noise, const PlaceOf& place_of) {
+  [[gnu::noinline]] void predict(const Objects& objects, base::Time exposure, base::Time stands_since,
+                                 const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise,
+                                 const PlaceOf& place_of) {
     slots_ = 0;
     for (std::size_t o = 0; o < kObjects; ++o) {
       predictions_[o] = Prediction{};
       blob_of_[o] = kNoMatch;
       if (!objects[o].used()) continue;
       slots_ = o + 1;
-      const bool alone = is_alone(objects, o);
+      const auto alone = [&] { return is_alone(objects, o); };
       const std::optional<CylinderEstimate> place = place_of(objects[o], o, alone);
       predictions_[o] = predict_one(objects[o], camera, lens, place, noise);
-      if (predictions_[o].anywhere && !(place && alone)) predictions_[o].possible = false;
+      const bool lost = place && exposure - objects[o].last_seen >= kMoment;
+      if (predictions_[o].anywhere && !(lost && alone())) predictions_[o].possible = false;
       predictions_[o].signature = objects[o].signature;
       predictions_[o].confirmed = objects[o].confirmed;
       predictions_[o].hides = objects[o].confirmed && !objects[o].cylinder.only_bearings();

@@ -20,7 +20,7 @@ inline constexpr float kGateWidthShare = 0.5F;
 /// rad by which an object may go on behind a neighbour or the border: 15 degrees. Tuning table, flat.
 inline constexpr float kHiddenRadians = 0.26F;
 /// share of the image's width, sigma of an end that may be anywhere in it. Even where the end is predicted a blob is
-/// then likelier something new, unless the map has nothing else of its colour. 1 / sqrt(2 pi): a normal's highest
+/// then likelier something new, unless what was out of view is alone of its colour. 1 / sqrt(2 pi): a normal's highest
 /// density is that of the whole width there. Derived.
 inline constexpr float kSomewhere = 0.399F;
 /// px, sigma of rows besides that of distance and pitch: whole pixels, rounded edges. Tuning table.

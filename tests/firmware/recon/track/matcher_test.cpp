@@ -16,6 +16,7 @@ struct Thing : recon::ObjectCore {
   static constexpr bool kPredictsByOutline = false;
 };
 constexpr std::size_t kThings = 4;
+constexpr base::Time kNow{10'000};
 using Things = std::array<Thing, kThings>;
 using Matcher = recon::Matcher<Thing, kThings>;
 
@@ -23,8 +24,9 @@ using Matcher = recon::Matcher<Thing, kThings>;
 struct Places {
   std::array<std::optional<recon::CylinderEstimate>, kThings> circles;
 
+  template <class IsAlone>
   const std::optional<recon::CylinderEstimate>& operator()(const Thing& /*object*/, std::size_t slot,
-                                                           bool /*alone*/) const {
+                                                           const IsAlone& /*is_alone*/) const {
     return circles[slot];
   }
 };
@@ -68,7 +70,7 @@ TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
     const auto matcher = std::make_unique<Matcher>();
     Things things;
     Places places;
-    recon::WaitingFrame frame{{1'000}, 0, 0, {}};
+    recon::WaitingFrame frame{kNow, 0, 0, {}};
     for (std::size_t o = 0; o < kThings; ++o) {
       if (draw.one_in(5)) continue;
       Thing& thing = things[o];
@@ -106,7 +108,7 @@ TEST(Matcher, OfObjectsThatAlmostTouchAndBlobsThatAreAlmostTheirs) {
         blob(left, right, foot);
       }
     }
-    matcher->predict(things, {900}, camera, recon::lens_pose({}, camera), {}, places);
+    matcher->predict(things, kNow, {900}, camera, recon::lens_pose({}, camera), {}, places);
     matcher->observe(frame, camera, things);
     matcher->tell_widths([](std::uint8_t signature) { return static_cast<std::uint16_t>(10 * signature); });
     sweep.tell("matched", matcher->match(0));
@@ -136,24 +138,27 @@ Thing known_thing(std::uint32_t id, std::uint8_t signature) {
 std::unique_ptr<Matcher> after_box(const Things& things, const Places& places, std::int16_t left, std::int16_t right) {
   const recon::CameraModel camera = recon::make_camera_model(level_pixy2(0));
   auto matcher = std::make_unique<Matcher>();
-  recon::WaitingFrame frame{{1'000}, 0, 0, {}};
+  recon::WaitingFrame frame{kNow, 0, 0, {}};
   static_cast<void>(frame.blobs.push_back({{left, 90, right, 138}, 1, false}));
-  matcher->predict(things, {900}, camera, recon::lens_pose({}, camera), {}, places);
+  matcher->predict(things, kNow, {900}, camera, recon::lens_pose({}, camera), {}, places);
   matcher->observe(frame, camera, things);
   matcher->match(0);
   return matcher;
 }
 
-TEST(Matcher, OneOfItsColourIsTheOneWhateverThePoseIs) {
+TEST(Matcher, OneOfItsColourIsTheOneAfterATimeOutOfView) {
   for (const bool namesake : {false, true}) {
-    Things things;
-    Places places;
-    things[0] = known_thing(1, 1);
-    places.circles[0] = circle_at(1, 0.875F);  // left of the image
-    places.circles[0]->covariance.yy = 1;      // or anywhere in it
-    things[1] = known_thing(2, namesake ? 1 : 2);
-    places.circles[1] = circle_at(-1, 0);
-    EXPECT_EQ(after_box(things, places, 220, 254)->seen(0), !namesake);
+    for (const std::int64_t unseen : {recon::kMoment.raw - 1, recon::kMoment.raw}) {
+      Things things;
+      Places places;
+      things[0] = known_thing(1, 1);
+      things[0].last_seen = {kNow.raw - unseen};
+      places.circles[0] = circle_at(1, 0.875F);  // left of the image
+      places.circles[0]->covariance.yy = 1;      // or anywhere in it
+      things[1] = known_thing(2, namesake ? 1 : 2);
+      places.circles[1] = circle_at(-1, 0);
+      EXPECT_EQ(after_box(things, places, 220, 254)->seen(0), !namesake && unseen == recon::kMoment.raw);
+    }
   }
 }
 
