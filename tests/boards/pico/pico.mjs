@@ -65,6 +65,7 @@ export class Pico {
     this.wire(how, watchdog);
     this.rules = new Rules(mcu);
     this.rom.onAway = (away) => this.rules.flashAway(away);
+    this.rules.onI2cReset = () => this.bus.reset();
     checkBoot2(mcu.flash);
     this.boot();
   }

@@ -16,7 +16,7 @@ const kFlashEnd = 0x20000000; // memory begins
 const kFlash = 0x10000000 >>> 26; // of its addresses, with those past the cache, the first six bits
 const kReads = ['readUint8', 'readUint16', 'readUint32'];
 const kPullUp = 1 << 3; // of a pad
-const kTimerInterrupt = 16;
+const kTimerInterrupt = 16; // its exception: it is interrupt 0
 const kI2cInterrupt = 23;
 
 // Bits of RESETS (2.14.3), and the peripherals' addresses / 4096.
@@ -84,6 +84,8 @@ export class Rules {
       this.expect(core.VTOR >= kFlashEnd, `exception ${number} by a vector table at 0x${core.VTOR.toString(16)}`);
       this.expect(number !== kTimerInterrupt || this.paused === 0, 'the timer stops while a debugger holds a core');
       this.expect(number !== kTimerInterrupt || this.guard !== undefined, 'the stack has no guard');
+      // Its line counts again, once the last one before a reset is taken (Armv6-M B3.4.1).
+      if (number === kTimerInterrupt + kI2cInterrupt) this.mcu.i2c[0].checkInterrupts();
       enter(number);
     };
   }
@@ -123,13 +125,17 @@ export class Rules {
   reset(offset, value, how) {
     if (offset !== kReset) return;
     const after = how === kNormal ? value : how === kClear ? this.held & ~value : this.held | value;
-    const begins = (bit) => ((after & ~this.held) >>> bit) & 1;
+    const begun = after & ~this.held;
+    const begins = (bit) => (begun >>> bit) & 1;
     const { clocks } = this.mcu;
     this.expect(!begins(kPllSys) || !(clocks.sysCtrl & 1), 'PLL_SYS is reset while the core runs on it');
     this.expect(!begins(kPllUsb) || !(clocks.usbCtrl & (1 << 11)), 'PLL_USB is reset while USB runs on it');
     this.held = after;
     if (begins(21)) this.paused = 3;
-    if (begins(3)) this.mcu.setInterrupt(kI2cInterrupt, true); // the last one before the reset, just now
+    if (begins(3)) {
+      this.onI2cReset?.();
+      this.mcu.setInterrupt(kI2cInterrupt, true); // the last one before the reset, just now
+    }
   }
 
   // 2.16.3, STARTUP: the vendor gives a Pico's crystal 6 ms; with less some boards do not start cold.

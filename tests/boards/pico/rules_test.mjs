@@ -108,4 +108,10 @@ mcu.readUint32(0x20000100);
 mcu.readUint32(0x18000028);
 mcu.rules.flashAway(false);
 mcu.readUint32(0x10000000);
+// The interrupt that came just before its part's reset is taken once.
+const pending = () => (mcu.core.pendingInterrupts >>> 23) & 1;
+mcu.writeUint32(kResets + kSet, 1 << 3);
+assert.equal(pending(), 1);
+mcu.core.exceptionEntry(16 + 23);
+assert.equal(pending(), 0);
 console.log(`${Object.keys(faults).length} faults found`);
