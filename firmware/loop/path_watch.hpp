@@ -38,7 +38,7 @@ class PathWatch {
   /// After a frame: checks the camera's configuration.
   [[gnu::noinline]] void judge_camera(base::Time now) {
     alert::RowVotes votes;
-    for (const recon::ObjectCore& object : m_.map.slots()) votes.add(object);
+    for (const recon::ObjectCore& object : m_.map.slots_in_use()) votes.add(object);
     if (m_.camera_doubt.judge(votes, m_.map.lens_check().error(), now)) reporter_.camera_doubt();
   }
 
@@ -62,8 +62,9 @@ class PathWatch {
     std::optional<alert::Obstacle> nearest;
     float speed = front.speed;
     record::AlertLevel highest = record::AlertLevel::kClear;
-    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-      const recon::Object<Profile>& object = m_.map.slots()[o];
+    const auto objects = m_.map.slots_in_use();
+    for (std::size_t o = 0; o < objects.size(); ++o) {
+      const recon::Object<Profile>& object = objects[o];
       if (!object.used()) continue;
       alert::Obstacle obstacle = see_obstacle(object, robot, swept);
       obstacle.unbacked = sees_floor() && unbacked(object, obstacle, front, by_odometry);

@@ -130,8 +130,9 @@ class Reporter {
 
   void objects(base::Time now) {
     if (!logs()) return;
-    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
-      const recon::Object<Profile>& object = m_.map.slots()[o];
+    const auto objects = m_.map.slots_in_use();
+    for (std::size_t o = 0; o < objects.size(); ++o) {
+      const recon::Object<Profile>& object = objects[o];
       if (!object.used() || !object.cylinder.estimate().ok()) continue;
       ReportState& last = m_.reports[o];
       const record::ObjectState state = console::state_of(object, now);

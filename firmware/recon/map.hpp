@@ -98,10 +98,12 @@ class Map {
   /// Some object is known by bearings alone: they place its middle, whatever its width.
   [[nodiscard]] bool knows_bearings() const {
     const auto by_bearings = [](const ObjectType& object) { return object.used() && object.cylinder.only_bearings(); };
-    return std::any_of(slots().begin(), slots().end(), by_bearings);
+    return std::any_of(slots_in_use().begin(), slots_in_use().end(), by_bearings);
   }
 
   [[nodiscard]] std::span<const ObjectType> slots() const { return table_.objects(); }
+  /// The slots up to the last object of the last frame: those behind it are free.
+  [[nodiscard]] std::span<const ObjectType> slots_in_use() const { return slots().first(matcher_.slots()); }
   [[nodiscard]] std::uint64_t digest() const { return digest_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] std::uint32_t evicted() const { return table_.evicted(); }
@@ -124,7 +126,7 @@ class Map {
   // Returns before the guard looks, which needs the stack.
   [[gnu::noinline]] void add_feet(const LensPose& lens, guard::KnownFeet& feet) const {
     constexpr float kReach = 0.001F * guard::kForgotten;
-    for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher_.slots(); ++o) {
       const ObjectType& object = slots()[o];
       const float depth = matcher_.prediction(o).depth;  // 0: it has no place
       if (!(depth > 0 && depth < kReach) || !object.confirmed || object.moving) continue;
@@ -174,7 +176,7 @@ class Map {
     hash_pose(hash, pose);
     hash.u32(table_.size());
     hash.u32(table_.next_id());
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher_.slots(); ++o) {
       if (slots()[o].used() && matcher_.seen(o)) hash_sighted(hash, slots()[o]);
     }
     const ObjectType& turn = slots()[frames_ % kObjects];

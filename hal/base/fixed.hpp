@@ -155,4 +155,12 @@ class FixedString {
   CountFor<N> size_ = 0;
 };
 
+/// The number of slots of a table up to the last one in use: most are free at its end, where nothing needs to look.
+template <class Slots>
+[[nodiscard]] constexpr std::size_t slots_in_use(const Slots& slots) {
+  std::size_t in_use = slots.size();
+  while (in_use > 0 && !slots[in_use - 1].used()) --in_use;
+  return in_use;
+}
+
 }  // namespace fencepost::base

@@ -165,7 +165,7 @@ class ProfileRunner final : public Runner {
     const double c = std::cos(robot.heading * 1e-6);
     const double s = std::sin(robot.heading * 1e-6);
     const double t = memory_->run.time->to_double();
-    for (const recon::ObjectCore& object : memory_->map.slots()) {
+    for (const recon::ObjectCore& object : memory_->map.slots_in_use()) {
       const recon::CylinderEstimate& cylinder = object.cylinder.estimate();
       if (!object.used() || !object.confirmed || !cylinder.ok()) continue;
       const recon::Vec2 to = recon::offset_from(robot.position, recon::moved(object.origin, cylinder.center));
@@ -181,7 +181,7 @@ class ProfileRunner final : public Runner {
   }
 
   [[nodiscard]] bool in_map(std::uint32_t id) const {
-    const auto slots = memory_->map.slots();
+    const auto slots = memory_->map.slots_in_use();
     return std::any_of(slots.begin(), slots.end(),
                        [&](const recon::ObjectCore& object) { return object.used() && object.id == id; });
   }

@@ -14,6 +14,7 @@
 #include "firmware/recon/track/correspondence.hpp"
 #include "firmware/recon/track/object.hpp"
 #include "firmware/recon/track/pieces.hpp"
+#include "hal/base/fixed.hpp"
 
 namespace fencepost::recon {
 
@@ -30,12 +31,11 @@ class Matcher {
   [[gnu::noinline]] void predict(const Objects& objects, base::Time exposure, base::Time stands_since,
                                  const CameraModel& camera, const LensPose& lens, const MeasurementNoise& noise,
                                  const PlaceOf& place_of) {
-    slots_ = 0;
-    for (std::size_t o = 0; o < kObjects; ++o) {
-      predictions_[o] = Prediction{};
-      blob_of_[o] = kNoMatch;
+    std::fill_n(predictions_.begin(), slots_, Prediction{});
+    std::fill_n(blob_of_.begin(), slots_, kNoMatch);
+    slots_ = base::slots_in_use(objects);
+    for (std::size_t o = 0; o < slots_; ++o) {
       if (!objects[o].used()) continue;
-      slots_ = o + 1;
       const auto alone = [&] { return is_alone(objects, o); };
       const std::optional<CylinderEstimate> place = place_of(objects[o], o, alone);
       predictions_[o] = predict_one(objects[o], camera, lens, place, noise);
@@ -114,7 +114,7 @@ class Matcher {
 
   /// The object that is two now, if the blob is a good part of it.
   [[nodiscard]] const Prediction* divided_at(const Observation& seen) const {
-    for (const Prediction& whole : predictions_) {
+    for (const Prediction& whole : std::span(predictions_).first(slots_)) {
       const bool part = whole.divided && whole.signature == seen.signature && has_middle_of(whole, seen);
       if (part && 3 * seen.columns() >= whole.right.at - whole.left.at) return &whole;
     }
@@ -154,6 +154,8 @@ class Matcher {
     blob_of_[o] = kNoMatch;
   }
 
+  /// The number of slots up to the last object of this frame.
+  [[nodiscard]] std::size_t slots() const { return slots_; }
   [[nodiscard]] std::span<const Observation> observations() const { return observations_.view(); }
   [[nodiscard]] std::uint8_t blob_of(std::size_t o) const { return blob_of_[o]; }
   [[nodiscard]] bool seen(std::size_t o) const { return blob_of_[o] != kNoMatch; }
@@ -185,8 +187,9 @@ class Matcher {
   }
 
   // No other object has its colour.
-  static bool is_alone(const Objects& objects, std::size_t o) {
-    return std::none_of(objects.begin(), objects.end(), [&](const ObjectType& other) {
+  [[nodiscard]] bool is_alone(const Objects& objects, std::size_t o) const {
+    const auto in_use = std::span(objects).first(slots_);
+    return std::none_of(in_use.begin(), in_use.end(), [&](const ObjectType& other) {
       return other.used() && other.signature == objects[o].signature && other.id != objects[o].id;
     });
   }
@@ -272,7 +275,7 @@ class Matcher {
   }
   [[nodiscard]] bool alike(std::size_t o, std::size_t b) const { return are_alike(taken_by(o), observations_[b]); }
 
-  std::size_t slots_ = 0;  ///< of objects, up to the last one in use
+  std::size_t slots_ = kObjects;  ///< up to the last object; behind them nothing is predicted or seen
   std::array<Prediction, kObjects> predictions_{};
   Observations observations_;
   std::array<std::uint8_t, kObjects * sensor::kMaxBlobs> costs_{};  ///< [object][blob], as many columns as blobs

@@ -12,6 +12,7 @@
 #include "firmware/recon/track/object.hpp"
 #include "firmware/recon/track/object_events.hpp"
 #include "firmware/recon/track/tuning.hpp"
+#include "hal/base/fixed.hpp"
 
 namespace fencepost::recon {
 
@@ -57,8 +58,9 @@ class ObjectTable {
     elapsed_ = std::min(exposure - exposure_, kMissedByOneFrame);
     exposure_ = exposure;
     // A camera that lost a thing gives it another id, and its id to another thing.
-    for (ObjectType& object : objects_) {
-      if (exposure_ - object.last_seen > kMoment) object.last_track = 0;
+    const std::size_t in_use = base::slots_in_use(objects_);
+    for (std::size_t o = 0; o < in_use; ++o) {
+      if (exposure_ - objects_[o].last_seen > kMoment) objects_[o].last_track = 0;
     }
   }
 
@@ -76,7 +78,7 @@ class ObjectTable {
     end_doubles(matcher);
     end_trails(matcher);
     end_refuted(matcher);
-    confirm(confirmation);
+    confirm(matcher, confirmation);
   }
 
   [[nodiscard]] Objects& objects() { return objects_; }
@@ -94,13 +96,13 @@ class ObjectTable {
 
  private:
   void end_divided(MatcherType& matcher) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       if (matcher.prediction(o).divided) end(o, EventKind::kDivided, matcher);
     }
   }
 
   void track_seen(const MatcherType& matcher, const CameraModel& camera, const LensPose& lens) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       if (!matcher.seen(o)) continue;
       ObjectType& object = objects_[o];
       const Observation seen = matcher.observation_of(o);
@@ -143,7 +145,7 @@ class ObjectTable {
   }
 
   void count_missing(const MatcherType& matcher) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       ObjectType& object = objects_[o];
       const Prediction& prediction = matcher.prediction(o);
       if (!object.used() || matcher.seen(o) || !prediction.possible) continue;
@@ -221,7 +223,7 @@ class ObjectTable {
   }
 
   void count_pieces(const MatcherType& matcher) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       std::uint8_t& frames = objects_[o].in_pieces;
       if (!matcher.in_pieces(o)) frames = 0;
       if (matcher.in_pieces(o) && frames < kFewestViews) ++frames;
@@ -231,8 +233,8 @@ class ObjectTable {
   // Solid things do not overlap: of two objects of one signature in one place, one is a double. Not when both were seen
   // in this frame.
   void end_doubles(MatcherType& matcher) {
-    for (std::size_t a = 0; a < kObjects; ++a) {
-      for (std::size_t b = a + 1; b < kObjects && objects_[a].used(); ++b) {
+    for (std::size_t a = 0; a < matcher.slots(); ++a) {
+      for (std::size_t b = a + 1; b < matcher.slots() && objects_[a].used(); ++b) {
         if (!objects_[b].used() || objects_[a].signature != objects_[b].signature) continue;
         if (matcher.seen(a) && matcher.seen(b)) continue;
         if (!stand_in_one_place(objects_[a], objects_[b])) continue;
@@ -244,9 +246,9 @@ class ObjectTable {
   // Deletes what a mover left behind before it was known to move. Such objects have its colour and were seen shortly
   // before, few times, or are there no more.
   void end_trails(MatcherType& matcher) {
-    for (std::size_t a = 0; a < kObjects; ++a) {
+    for (std::size_t a = 0; a < matcher.slots(); ++a) {
       if (!objects_[a].used() || !objects_[a].moving || !matcher.seen(a)) continue;
-      for (std::size_t b = 0; b < kObjects; ++b) {
+      for (std::size_t b = 0; b < matcher.slots(); ++b) {
         const ObjectType& other = objects_[b];
         if (!other.used() || other.signature != objects_[a].signature || matcher.seen(b)) continue;
         const bool few = other.views < kFewViews || other.moving || other.refuted();
@@ -260,7 +262,7 @@ class ObjectTable {
   // miss better known objects in more frames than refute one: such an object stays, and only its alerts stop. What may
   // move is not where it was; a stationary robot has passed nothing.
   void end_refuted(MatcherType& matcher) {
-    for (std::size_t o = 0; o < kObjects; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       const ObjectType& object = objects_[o];
       if (!object.used() || exposure_ - object.last_seen < kKeepUnseen) continue;
       const bool once = object.views == 1 && has_better_namesake(o);
@@ -276,8 +278,9 @@ class ObjectTable {
     });
   }
 
-  void confirm(Confirmation confirmation) {
-    for (ObjectType& object : objects_) {
+  void confirm(const MatcherType& matcher, Confirmation confirmation) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
+      ObjectType& object = objects_[o];
       const bool placed = object.used() && object.cylinder.estimate().ok();
       if (placed && object.history.seen_of_last(confirmation.n) >= confirmation.k) object.confirmed = true;
     }

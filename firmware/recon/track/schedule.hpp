@@ -35,7 +35,7 @@ class ModelPace {
 template <class Profile>
 std::size_t lowest_foot(const typename ObjectTable<Profile>::MatcherType& matcher) {
   std::size_t lowest = Profile::kObjects;
-  for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+  for (std::size_t o = 0; o < matcher.slots(); ++o) {
     if (!matcher.seen(o)) continue;
     if (lowest == Profile::kObjects || matcher.foot_of(o) > matcher.foot_of(lowest)) lowest = o;
   }
@@ -50,7 +50,7 @@ std::size_t most_urgent(const ObjectTable<Profile>& table, const typename Object
                         std::size_t nearest) {
   std::size_t urgent = Profile::kObjects;
   int longest = 0;
-  for (std::size_t o = 0; o < Profile::kObjects; ++o) {
+  for (std::size_t o = 0; o < matcher.slots(); ++o) {
     const ObjectCore& object = table.objects()[o];
     if (!matcher.seen(o) || object.waiting == 0) continue;
     const int waited = object.waiting * (o == nearest ? 2 : 1);

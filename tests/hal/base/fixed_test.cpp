@@ -116,5 +116,17 @@ TEST(FixedString, ComparesItsText) {
   EXPECT_NE(FixedString<8>("red"), FixedString<8>("redder"));
 }
 
+TEST(SlotsInUse, EndWithTheLastOne) {
+  struct Slot {
+    bool taken;
+    [[nodiscard]] bool used() const { return taken; }
+  };
+  using Slots = std::array<Slot, 4>;
+  EXPECT_EQ(slots_in_use(Slots{}), 0U);
+  EXPECT_EQ(slots_in_use(Slots{{{true}, {false}, {false}, {false}}}), 1U);
+  EXPECT_EQ(slots_in_use(Slots{{{false}, {false}, {true}, {false}}}), 3U);
+  EXPECT_EQ(slots_in_use(Slots{{{true}, {false}, {false}, {true}}}), 4U);
+}
+
 }  // namespace
 }  // namespace fencepost::base

@@ -50,7 +50,8 @@ class OutlineFitter {
   using Batch = typename Profile::OutlineBatch;
 
   template <class Objects>
-  void fit_all(Objects& objects, int min_weight) {
+  void fit_all(Objects& all, int min_weight) {
+    const std::span objects = std::span(all).first(base::slots_in_use(all));
     for (auto& object : objects) {
       if (!is_due(object, min_weight)) continue;
       if constexpr (Batch::kCapacity > 0) {
@@ -70,10 +71,10 @@ class OutlineFitter {
   }
 
   // Fits the remaining outlines with new tangents, a few at a time.
-  template <class Objects>
-  static void fit_together(Objects& objects, int min_weight) {
+  template <class Object>
+  static void fit_together(std::span<Object> objects, int min_weight) {
     Batch batch;
-    base::FixedVector<typename Objects::value_type*, Batch::kCapacity> taken;
+    base::FixedVector<Object*, Batch::kCapacity> taken;
     const auto solve = [&] {
       batch.solve();
       for (auto* object : taken) object->note_outline();

@@ -195,5 +195,31 @@ TEST(Matcher, WhatCannotBeInTheImageHidesNothing) {
   EXPECT_EQ(matcher->observation_of(0).right, recon::End::kSeen);
 }
 
+// A slot that is free now predicts and sees nothing, whatever was in it and wherever the last object is.
+TEST(Matcher, ForgetsWhatWasInSlotsThatAreFree) {
+  Things things;
+  Places places;
+  for (std::size_t o = 0; o < kThings; ++o) {
+    things[o] = known_thing(static_cast<std::uint32_t>(o + 1), static_cast<std::uint8_t>(o + 1));
+    places.circles[o] = circle_at(1, 0);
+  }
+  const auto matcher = after_box(things, places, 140, 174);
+  EXPECT_EQ(matcher->slots(), kThings);
+  EXPECT_TRUE(matcher->prediction(3).possible);
+  const recon::CameraModel camera = recon::make_camera_model(level_pixy2(0));
+  for (const std::size_t last : {2U, 0U}) {
+    for (std::size_t o = last + 1; o < kThings; ++o) things[o].id = 0;
+    matcher->predict(things, kNow, {900}, camera, recon::lens_pose({}, camera), {}, places);
+    EXPECT_EQ(matcher->slots(), last + 1);
+    for (std::size_t o = 0; o < kThings; ++o) {
+      EXPECT_EQ(matcher->prediction(o).possible, o <= last) << o;
+      EXPECT_FALSE(matcher->seen(o)) << o;
+    }
+  }
+  things[0].id = 0;
+  matcher->predict(things, kNow, {900}, camera, recon::lens_pose({}, camera), {}, places);
+  EXPECT_EQ(matcher->slots(), 0U);
+}
+
 }  // namespace
 }  // namespace fencepost::test
