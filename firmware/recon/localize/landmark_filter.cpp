@@ -15,9 +15,12 @@ constexpr float kMicroradians = 1e6F;
 class Covariance {
  public:
   explicit Covariance(const FilterView& filter)
-      : values_(filter.covariance), places_(places_of(filter.landmarks.size())) {}
+      : values_(filter.covariance),
+        places_(places_of(filter.landmarks.size())),
+        places_in_use_(places_of(filter.in_use)) {}
 
   [[nodiscard]] std::size_t places() const { return places_; }
+  [[nodiscard]] std::size_t places_in_use() const { return places_in_use_; }
   [[nodiscard]] float& at(std::size_t i, std::size_t j) const {
     return i >= j ? values_[i * (i + 1) / 2 + j] : values_[j * (j + 1) / 2 + i];
   }
@@ -29,6 +32,7 @@ class Covariance {
  private:
   std::span<float> values_;
   std::size_t places_;
+  std::size_t places_in_use_;
 };
 
 enum Place : std::size_t { kX, kY, kHeading };
@@ -64,7 +68,7 @@ class Projection {
  public:
   Projection(const FilterView& filter, std::size_t slot, const Jacobian& jacobian, std::span<float> out)
       : covariance_(filter),
-        landmarks_(filter.landmarks.size()),
+        landmarks_(filter.in_use),
         slot_(slot),
         jacobian_(jacobian),
         own_(covariance_.radius(slot)),
@@ -112,11 +116,11 @@ bool stays_positive(const FilterView& filter, std::span<const float> projected, 
   const Covariance covariance(filter);
   const std::size_t places = covariance.places();
   const float inverse = 1.0F / innovation;
-  for (std::size_t i = 0; i < places; ++i) {
+  for (std::size_t i = 0; i < covariance.places_in_use(); ++i) {
     const float variance = covariance.at(i, i);
     if (variance > 0 && !(variance - projected[i] * projected[i] * inverse > 0)) return false;
   }
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+  for (std::size_t l = 0; l < filter.in_use; ++l) {
     const float variance = covariance.radius(l)[places];
     const float part = projected[places + l];
     if (variance > 0 && !(variance - part * part * inverse > 0)) return false;
@@ -124,15 +128,16 @@ bool stays_positive(const FilterView& filter, std::span<const float> projected, 
   return true;
 }
 
-// P - p p' / S, plus what rounding may have taken from the variances. What no landmark uses is zero and stays so.
+// P - p p' / S, plus what rounding may have taken from the variances.
 void reduce(const FilterView& filter, std::span<const float> projected, float innovation) {
   const Covariance covariance(filter);
   const std::size_t places = covariance.places();
+  const std::size_t in_use = covariance.places_in_use();
   const float inverse = 1.0F / innovation;
   float radii = 0;
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) radii += std::fabs(projected[places + l]);
+  for (std::size_t l = 0; l < filter.in_use; ++l) radii += std::fabs(projected[places + l]);
   float* value = filter.covariance.data();
-  for (std::size_t i = 0; i < places; ++i) {
+  for (std::size_t i = 0; i < in_use; ++i) {
     const float gain = projected[i] * inverse;
     const float rounding = kRounding * value[i];
     if (gain != 0) {
@@ -141,12 +146,13 @@ void reduce(const FilterView& filter, std::span<const float> projected, float in
     value[i] += rounding;
     value += i + 1;
   }
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l, value += places + 1) {
+  for (std::size_t l = 0; l < filter.in_use; ++l) {
     const float part = projected[places + l];
     const float gain = part * inverse;
     if (gain == 0) continue;
+    value = covariance.radius(l).data();
     const float rounding = kRounding * value[places];
-    for (std::size_t j = 0; j < places; ++j) value[j] -= gain * projected[j];
+    for (std::size_t j = 0; j < in_use; ++j) value[j] -= gain * projected[j];
     // Its own share, and the covariances with other radii that are not kept.
     const float others = radii - std::fabs(part);
     value[places] += std::fabs(gain) * others - gain * part + rounding;
@@ -160,7 +166,7 @@ void move_states(const FilterView& filter, std::span<const float> step) {
   const float turn = step[kHeading] * kMicroradians;
   pose.heading += static_cast<std::int32_t>(turn < 0 ? turn - 0.5F : turn + 0.5F);
   const std::size_t places = places_of(filter.landmarks.size());
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
+  for (std::size_t l = 0; l < filter.in_use; ++l) {
     Landmark& landmark = filter.landmarks[l];
     if (!landmark.used()) continue;
     landmark.center = moved(landmark.center, {step[x_of(l)], step[y_of(l)]});
@@ -201,8 +207,8 @@ void shear(const FilterView& filter, const Vec2& driven) {
     row[kX] += lever.x() * row[kHeading];
     row[kY] += lever.y() * row[kHeading];
   };
-  for (std::size_t i = kHeading + 1; i < p.places(); ++i) follow({&p.at(i, 0), 3});
-  for (std::size_t l = 0; l < filter.landmarks.size(); ++l) follow(p.radius(l).first(3));
+  for (std::size_t i = kHeading + 1; i < p.places_in_use(); ++i) follow({&p.at(i, 0), 3});
+  for (std::size_t l = 0; l < filter.in_use; ++l) follow(p.radius(l).first(3));
 }
 
 }  // namespace
@@ -310,9 +316,12 @@ TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleE
   if (squared > kUsualSigmas * kUsualSigmas) innovation *= std::sqrt(squared) / kUsualSigmas;
   if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
   const float gain = residual / innovation;
-  if (!is_plausible(step, gain)) return TangentFate::kRefused;
+  const std::span<float> places = step.first(places_of(filter.in_use));
+  const std::span<float> radii = step.subspan(places_of(filter.landmarks.size()), filter.in_use);
+  if (!is_plausible(places, gain) || !is_plausible(radii, gain)) return TangentFate::kRefused;
   reduce(filter, step, innovation);
-  for (float& part : step) part *= gain;
+  for (float& part : places) part *= gain;
+  for (float& part : radii) part *= gain;
   move_states(filter, step);
   return TangentFate::kUsed;
 }

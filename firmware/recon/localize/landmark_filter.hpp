@@ -17,6 +17,7 @@
 #include "firmware/recon/localize/tuning.hpp"
 #include "firmware/recon/models/cylinder.hpp"
 #include "firmware/recon/observe/pose_history.hpp"
+#include "hal/base/fixed.hpp"
 
 namespace fencepost::recon {
 
@@ -98,6 +99,9 @@ struct FilterView {
   DriftGauge& gauge;
   std::span<Landmark> landmarks;
   std::span<float> covariance;
+  /// The slots up to the last landmark when this was made. Covariances of those behind it are zero and stay so: after
+  /// add_landmark() another view is needed.
+  std::size_t in_use = landmarks.size();
 };
 
 /// The pose now, given where odometry has come since `at`; exactly the odometry as long as nothing was corrected.
@@ -116,7 +120,7 @@ void forget_landmark(const FilterView& filter, std::size_t slot);
 /// Updates the filter with one equation of the landmark in `slot`; `variance` (m^2) of its bound, non-roundness
 /// included. The equation is left out if the prior variance of its bound is below the share `min_share` of that.
 /// Residuals beyond two sigmas count less, by Huber's weight. `step` has states_of() elements; after an update it holds
-/// the step of each state (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications.
+/// the step of each state in use (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications, of those in use.
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
                        std::span<float> step, float min_share = 0);
 
@@ -133,7 +137,9 @@ class LandmarkFilter {
  public:
   static constexpr std::size_t kStates = states_of(kLandmarks);
 
-  [[nodiscard]] FilterView view() { return {at_, gauge_, landmarks_, covariance_}; }
+  [[nodiscard, gnu::noinline]] FilterView view() {
+    return {at_, gauge_, landmarks_, covariance_, base::slots_in_use(landmarks_)};
+  }
   [[nodiscard]] const Landmark& landmark(std::size_t slot) const { return landmarks_[slot]; }
   [[nodiscard]] const FilterPose& at() const { return at_; }
   [[nodiscard]] const DriftGauge& gauge() const { return gauge_; }

@@ -152,6 +152,7 @@ class PoseCorrection {
     const LensPose lens = lens_pose(driven, camera);
     // To detect drift, few landmarks a frame suffice; to correct the pose, take as many as there is time for.
     const std::size_t most = corrects_ ? Profile::kModelTurns : Profile::kLookTurns;
+    const FilterView filter = filter_.view();
     std::size_t turns = 0;
     for (std::size_t i = 0; i < kLandmarks && turns < most; ++i) {
       next_ = static_cast<std::uint8_t>(next_ + 1U < kLandmarks ? next_ + 1U : 0U);
@@ -162,7 +163,7 @@ class PoseCorrection {
       const float novelty = objects[next_].novelty(lens.lens_from(objects[next_].origin));
       const SightedCircle circle = circle_of(next_, seen, camera, novelty, noise);
       if (!corrects_) weigh(circle.middle(), next_, objects[next_], driven);
-      const float surprise = apply(next_, circle);
+      const float surprise = apply(filter, next_, circle);
       if (strayers_.look(next_, objects[next_].signature, surprise)) forget(next_);
       ++turns;
     }
@@ -182,7 +183,7 @@ class PoseCorrection {
       if (event.kind != EventKind::kBorn && filter_.landmark(event.slot).used()) forget(event.slot);
     }
     if (!looks_) return;
-    for (std::size_t o = 0; o < kLandmarks; ++o) {
+    for (std::size_t o = 0; o < matcher.slots(); ++o) {
       const ObjectCore& object = table.objects()[o];
       const bool may_be = object.used() && !object.moving && object.views >= kFewestViews;
       if (filter_.landmark(o).used() || !may_be || !matcher.seen(o)) continue;
@@ -215,7 +216,7 @@ class PoseCorrection {
   }
 
   // The largest surprise.
-  float apply(std::size_t slot, const SightedCircle& circle) {
+  float apply(const FilterView& filter, std::size_t slot, const SightedCircle& circle) {
     float surprise = 0;
     // On slow cores the range equation and the width equation alternate.
     const bool both_ends = circle.middle().variance > 0;
@@ -224,8 +225,8 @@ class PoseCorrection {
       const SightedCircle::Line& line = circle.lines[i];
       if (!(line.variance > 0) || i == left_out) continue;
       std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      static_cast<void>(correct_by(filter_.view(), slot, line.equation, line.variance, step, kPace.min_share));
-      surprise = std::max(surprise, filter_.gauge().surprise);
+      static_cast<void>(correct_by(filter, slot, line.equation, line.variance, step, kPace.min_share));
+      surprise = std::max(surprise, filter.gauge.surprise);
     }
     return surprise;
   }

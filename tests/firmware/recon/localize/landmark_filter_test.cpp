@@ -560,6 +560,42 @@ TEST(LandmarkFilter, CarriesTheCorrectionOn) {
   EXPECT_NEAR(now.heading * 1e-6, std::numbers::pi / 2 + 0.25, 2e-6);
 }
 
+// A larger filter, whose slots behind the last landmark nothing looks at.
+TEST(LandmarkFilter, FreeSlotsAtItsEndChangeNothing) {
+  Loop<4> tight;
+  Loop<9> roomy;
+  const auto expect_the_same = [&] {
+    EXPECT_EQ(tight.filter.at().pose, roomy.filter.at().pose);
+    for (std::size_t l = 0; l < 4; ++l) {
+      EXPECT_EQ(tight.filter.landmark(l).center, roomy.filter.landmark(l).center);
+      EXPECT_EQ(tight.filter.landmark(l).radius, roomy.filter.landmark(l).radius);
+      const auto of_tight = tight.filter.place_covariances(l);
+      EXPECT_TRUE(std::equal(of_tight.begin(), of_tight.end(), roomy.filter.place_covariances(l).begin()));
+      EXPECT_EQ(tight.filter.radius_covariances(l).back(), roomy.filter.radius_covariances(l).back());
+    }
+  };
+  const auto go_on = [&](int from, int to, std::size_t landmarks) {
+    for (int i = from; i < to; ++i) {
+      tight.advance(i);
+      roomy.advance(i);
+      for (std::size_t l = 0; l < landmarks; ++l) {
+        ASSERT_EQ(tight.correct(l, tight.look(l, 1)), roomy.correct(l, roomy.look(l, 1)));
+      }
+    }
+    expect_the_same();
+  };
+  EXPECT_EQ(roomy.filter.view().in_use, 4U);
+  go_on(1, 20, 4);
+  forget_landmark(tight.filter.view(), 3);
+  forget_landmark(roomy.filter.view(), 3);
+  EXPECT_EQ(tight.filter.view().in_use, 3U);
+  EXPECT_EQ(roomy.filter.view().in_use, 3U);
+  go_on(20, 40, 3);
+  for (std::size_t l = 4; l < 9; ++l) {
+    for (const float value : roomy.filter.radius_covariances(l)) ASSERT_EQ(value, 0);
+  }
+}
+
 // Equations whose numbers are powers of two or nearly, some of them absurd: what becomes of each, and of all that the
 // filter keeps. Turns are quarters, so that no cosine is rounded much.
 TEST(LandmarkFilter, OfEquationsOnALattice) {
@@ -567,39 +603,39 @@ TEST(LandmarkFilter, OfEquationsOnALattice) {
   Sweep sweep;
   for (int run = 0; run < 250; ++run) {
     const auto filter = std::make_unique<LandmarkFilter<3>>();
-    const recon::FilterView view = filter->view();
-    recon::start(view);
+    const auto view = [&filter] { return filter->view(); };
+    recon::start(view());
     MapPose odometry;
     std::array<float, LandmarkFilter<3>::kStates> step{};
     for (int i = 0; i < 30; ++i) {
       odometry.position.x += draw.of({0, 0, 6'250, 12'500, -6'250});
       odometry.position.y += draw.of({0, 0, 0, 6'250});
       odometry.heading += draw.of({0, 0, 0, 1'570'796, -1'570'796, 10'000});
-      recon::drive_to(view, odometry, draw.coin() ? kDrift : recon::DriftNoise{});
+      recon::drive_to(view(), odometry, draw.coin() ? kDrift : recon::DriftNoise{});
       const std::size_t slot = draw.between<std::size_t>(0, 2);
       if (!filter->landmark(slot).used() || draw.one_in(12)) {
-        if (draw.one_in(4)) recon::forget_landmark(view, slot);
+        if (draw.one_in(4)) recon::forget_landmark(view(), slot);
         recon::LandmarkGuess guess;
         guess.away = draw.of<Vec2>({{1, 0}, {0.5F, 0.5F}, {0, -1}, {2, 0.25F}});
         guess.radius = draw.of({0.0625F, 0.125F});
         const float variance = draw.of({0.0078125F, 0.0625F, 1.0F});
         guess.covariance = {variance, 0, variance, variance / 4, 0, variance / 2};
-        recon::add_landmark(view, slot, guess);
+        recon::add_landmark(view(), slot, guess);
       }
       recon::CircleEquation seen;
       seen.normal = draw.of<Vec2>({{0, 1}, {0, -1}, {-1, 0}, {0.6F, -0.8F}});
       seen.slope = draw.one_in(4) ? Vec2{0.8F, 0.6F} : seen.normal;
       seen.radii = draw.of({1.0F, 1.0F, 0.0F});
-      const recon::CylinderEstimate expected = recon::seen_from_robot(view, slot);
+      const recon::CylinderEstimate expected = recon::seen_from_robot(view(), slot);
       const Vec2 away = recon::turned(expected.center, -filter->at().pose.heading);
       seen.bound = seen.normal.dot(away) + seen.radii * expected.radius +
                    draw.of({0.0F, 0.0F, 0.03125F, -0.03125F, 0.25F, -0.5F, 1.0F, 2.0F, -8.0F});
       const float variance = draw.of({0.0009765625F, 0.0009765625F, 0.015625F, 1.0F, 4.0F, 0.0F});
-      const TangentFate fate = recon::correct_by(view, slot, seen, variance, step, draw.of({0.0F, 0.0F, 0.25F}));
+      const TangentFate fate = recon::correct_by(view(), slot, seen, variance, step, draw.of({0.0F, 0.0F, 0.25F}));
       sweep.tell("fate", static_cast<int>(fate));
       base::Fnv1a64 hash;
-      for (const float value : view.covariance) hash.f32(value);
-      for (const recon::Landmark& landmark : view.landmarks) {
+      for (const float value : view().covariance) hash.f32(value);
+      for (const recon::Landmark& landmark : view().landmarks) {
         hash.i32(landmark.center.x);
         hash.i32(landmark.center.y);
         hash.f32(landmark.radius);
@@ -616,7 +652,7 @@ TEST(LandmarkFilter, OfEquationsOnALattice) {
       sweep.tell("sigma", recon::pose_sigma(filter->pose_covariances()).position);
       const MapPose other{{pose.position.x + draw.of({0, 1'000, -2'000}), pose.position.y},
                           pose.heading + draw.of({0, 5'000})};
-      sweep.tell("distance", recon::distance_to(view, other));
+      sweep.tell("distance", recon::distance_to(view(), other));
       sweep.tell("expected", expected.covariance.xx + expected.covariance.yr);
     }
   }
