@@ -41,12 +41,8 @@ Lens lens_of(const LensPose& pose, const MapPoint& origin) {
 // A set of places across the view, kSpacing wide each; those beyond half of 32 to a side count as the outermost.
 class Cells {
  public:
-  void add(std::int32_t from, std::int32_t to) {
-    for (std::int32_t cell = index(from); cell <= index(to); ++cell) bits_ |= 1U << cell;
-  }
-  void remove(std::int32_t from, std::int32_t to) {
-    for (std::int32_t cell = index(from); cell <= index(to); ++cell) bits_ &= ~(1U << cell);
-  }
+  void add(std::int32_t from, std::int32_t to) { bits_ |= cells(from, to); }
+  void remove(std::int32_t from, std::int32_t to) { bits_ &= ~cells(from, to); }
   [[nodiscard]] bool empty() const { return bits_ == 0; }
   /// Takes one out; its middle.
   std::int32_t take() {
@@ -57,8 +53,14 @@ class Cells {
 
  private:
   static constexpr std::int32_t kHalf = 16;
-  static std::int32_t index(std::int32_t left) {
-    return std::clamp((left >> kSpacingLog2) + kHalf, std::int32_t{0}, 2 * kHalf - 1);
+  static std::uint32_t index(std::int32_t left) {
+    return static_cast<std::uint32_t>(std::clamp((left >> kSpacingLog2) + kHalf, std::int32_t{0}, 2 * kHalf - 1));
+  }
+  // None, if `to` is before `from`.
+  static std::uint32_t cells(std::int32_t from, std::int32_t to) {
+    const std::uint32_t up_to_last = ~std::uint32_t{0} >> (2 * kHalf - 1 - index(to));
+    const std::uint32_t from_first = ~std::uint32_t{0} << index(from);
+    return up_to_last & from_first;
   }
   std::uint32_t bits_ = 0;
 };
@@ -95,7 +97,7 @@ struct FootLine {
     return moves && !cut && place.depth > 0 && place.depth < past && covers(place, kSpacing);
   }
   [[nodiscard]] bool supports(const Place& place) const {
-    if (moves || place.depth > farthest || place.depth < nearest) return false;
+    if (place.depth > farthest || place.depth < nearest || moves) return false;
     if (cut) return !faint && covers(place);
     return place.left <= line_left + kSideSlack && place.left >= line_right - kSideSlack;
   }
@@ -161,13 +163,20 @@ class Judgement {
 
   /// `remembered`: it was supported shortly before; `seen_from_here`: since the robot is stationary.
   Verdict of(Place& place, std::uint8_t& signature, bool remembered, bool seen_from_here) {
+    for (FootLine& foot : feet_) {
+      if (foot.cut && remembered) guess_nothing_beside(place, foot);
+      if (foot.supports(place)) return support(foot, place, signature);
+    }
+    return of_unsupported(place, signature, seen_from_here);
+  }
+
+ private:
+  [[nodiscard]] Verdict of_unsupported(const Place& place, std::uint8_t signature, bool seen_from_here) const {
     bool hidden = false;
     bool left_behind = false;
     bool ends_before = false;
     bool unsure = feet_.full();  // the camera may have dropped a blob beyond its maximum
-    for (FootLine& foot : feet_) {
-      if (foot.cut && remembered) guess_nothing_beside(place, foot);
-      if (foot.supports(place)) return support(foot, place, signature);
+    for (const FootLine& foot : feet_) {
       left_behind = left_behind || (foot.signature == signature && foot.left_behind(place));
       ends_before = ends_before || (foot.signature == signature && foot.ends_before(place));
       if (place.depth < foot.past && !foot.cut) continue;
@@ -180,7 +189,6 @@ class Judgement {
     return unsure ? Verdict::kUnsure : Verdict::kRefuted;
   }
 
- private:
   // For a blob whose foot is below the image, no foot is guessed where one was seen before.
   static void guess_nothing_beside(const Place& place, FootLine& foot) {
     if (place.depth <= 0 || place.depth > foot.farthest + (foot.depth >> kCutReachLog2) ||
