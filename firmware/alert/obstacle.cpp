@@ -50,16 +50,19 @@ bool touches(const SweptByBody& swept, const recon::ObjectCore& object, const Ve
 bool touches(const SweptByBody& swept, const recon::OutlineView& outline, const Vec2& center, const RobotPlace& robot,
              std::size_t nearest) {
   const std::size_t sides = outline.offsets.size();
-  const auto corner = [&](std::size_t k) { return Vec2(center + robot.see(outline.corner(k % sides))); };
+  const auto corner = [&](std::size_t k) {
+    return Vec2(center + robot.see(outline.corner(k < sides ? k : k - sides)));
+  };
   const float per_metre = 1 / swept.path().half_width;
+  const SweptBounds<float> bounds = swept.bounds_of(0);
   Vec2 from = corner(nearest + sides - 1);
   for (std::size_t k = nearest; k < nearest + sides; ++k) {
     const Vec2 to = corner(k);
     const Vec2 side = to - from;
     const int pieces = 1 + static_cast<int>(per_metre * (std::fabs(side.x()) + std::fabs(side.y())));
-    const Vec2 step = side / static_cast<float>(pieces);
+    const Vec2 step = pieces > 1 ? Vec2(side / static_cast<float>(pieces)) : side;
     for (int i = 0; i < pieces; ++i, from += step) {
-      if (swept.touches(from, 0)) return true;
+      if (swept.touches(from, bounds)) return true;
     }
     from = to;
   }

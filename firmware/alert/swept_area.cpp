@@ -93,9 +93,16 @@ SweptByBody::SweptByBody(const RobotPath& path) : path_(path), sweep_(path), ove
   rear_ = Corners(path, margin, path.rear, radius);
 }
 
-// A disc is a point, and the margin is wider by its radius.
+bool SweptByBody::touches(const recon::Vec2& point, const SweptBounds<float>& bounds) const {
+  return sweep_.holds(point.x(), point.y(), bounds);
+}
+
 bool SweptByBody::touches(const recon::Vec2& center, float radius) const {
-  if (center.squared_norm() < radius * radius) return true;
+  return center.squared_norm() < radius * radius || touches(center, bounds_of(radius));
+}
+
+// A disc is a point, and the margin is wider by its radius.
+SweptBounds<float> SweptByBody::bounds_of(float radius) const {
   SweptBounds<float> bounds = sweep_.ring(path_.half_width + radius);
   if (path_.has_corners()) {
     bounds.middle = 0.5F * path_.body_radius;
@@ -110,7 +117,7 @@ bool SweptByBody::touches(const recon::Vec2& center, float radius) const {
     add(rear_, bounds.rear);
     bounds.outer = std::max(bounds.front.outer, bounds.rear.outer);
   }
-  return sweep_.holds(center.x(), center.y(), bounds);
+  return bounds;
 }
 
 }  // namespace fencepost::alert

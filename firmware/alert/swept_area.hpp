@@ -123,6 +123,10 @@ class SweptByBody {
   explicit SweptByBody(const RobotPath& path);
 
   [[nodiscard]] bool touches(const recon::Vec2& center, float radius) const;
+  /// For several discs of one radius.
+  [[nodiscard]] SweptBounds<float> bounds_of(float radius) const;
+  /// The same for a point, given the bounds of radius 0.
+  [[nodiscard, gnu::noinline]] bool touches(const recon::Vec2& point, const SweptBounds<float>& bounds) const;
   [[nodiscard]] const RobotPath& path() const { return path_; }
   /// m, towards a place.
   [[nodiscard]] float overhang(const recon::Vec2& toward) const {

@@ -94,6 +94,22 @@ TEST(SweptByBody, WhatReachesTheOriginIsTouched) {
   EXPECT_FALSE(body.touches({-0.5F, 0}, 0.25F));
 }
 
+TEST(SweptByBody, OfAPointIsOfADiscWithoutRadius) {
+  RobotPath path = path_of(0.2F, 0.5F);
+  path.front = 0.2F;
+  path.rear = 0.1F;
+  const alert::SweptByBody body(path);
+  const auto bounds = body.bounds_of(0);
+  int touched = 0;
+  for (float x = -0.5F; x < 1; x += 0.07F) {
+    for (float y = -0.5F; y < 1; y += 0.07F) {
+      EXPECT_EQ(body.touches({x, y}, bounds), body.touches({x, y}, 0)) << x << " " << y;
+      touched += body.touches({x, y}, bounds) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(touched, 20);
+}
+
 TEST(SweptArea, IsTheStripAhead) {
   const SweptArea area(path_of(0.2F, 0), 0.03F);
   EXPECT_TRUE(area.contains(300, 0));
