@@ -45,7 +45,7 @@ Run facing_run(const Facing& facing) {
   Run run;
   bool here = facing(0);
   for (std::size_t k = 0; k < facing.nodes(); k += kStride) {
-    const bool ahead = facing((k + kStride) % facing.nodes());
+    const bool ahead = facing(k + kStride < facing.nodes() ? k + kStride : 0);
     if (here != ahead) {
       std::size_t change = k;
       for (std::size_t step = kStride / 2; step > 0; step /= 2) {
@@ -59,7 +59,7 @@ Run facing_run(const Facing& facing) {
 }
 
 float variance_after(const OutlineView& outline, std::size_t k) {
-  const float sigma = std::max(outline.sigma(k), outline.sigma((k + 1) % outline.offsets.size()));
+  const float sigma = std::max(outline.sigma(k), outline.sigma(outline.after(k)));
   return sigma * sigma;
 }
 

@@ -94,7 +94,7 @@ float OutlineView::slope(const SectorPlace& place) const {
   const NodeStep step = node_step(offsets.size());
   const float t = place.phase * step.angle;
   const float here = offset(place.sector);
-  const float there = offset(place.sector + 1 == offsets.size() ? 0 : place.sector + 1);
+  const float there = offset(after(place.sector));
   return (small_cosine(t) * there - small_cosine(step.angle - t) * here) / step.sine;
 }
 
@@ -141,9 +141,9 @@ float inflation(float share) {
 
 Vec2 OutlineView::corner(std::size_t k) const {
   const NodeStep step = node_step(offsets.size());
-  const float after = offset((k + 1) % offsets.size());
+  const float next = offset(after(k));
   const Vec2 normal = node_direction(k, offsets.size());
-  const float along = (after - step.cosine * offset(k)) / step.sine;
+  const float along = (next - step.cosine * offset(k)) / step.sine;
   return offset(k) * normal + along * left_of(normal);
 }
 

@@ -62,6 +62,8 @@ struct OutlineView {
 
   [[nodiscard]] float offset(std::size_t k) const { return static_cast<float>(offsets[k]) * kOffsetStep; }
   [[nodiscard]] float sigma(std::size_t k) const { return decode_sigma(sigmas[k]); }
+  /// The next node around the circle.
+  [[nodiscard]] std::size_t after(std::size_t k) const { return k + 1 < offsets.size() ? k + 1 : 0; }
   /// Mean support value, m.
   [[nodiscard]] float radius() const;
   [[nodiscard]] float mean_sigma() const;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "firmware/recon/geometry.hpp"
+#include "hal/base/vectors.hpp"
 
 namespace fencepost::recon {
 
@@ -17,18 +18,40 @@ inline constexpr std::array<float, kDirections / 4 + 1> kQuarterCosines = {
     0.831469612F, 0.773010453F, 0.707106781F, 0.634393284F,  0.555570233F, 0.471396737F,
     0.382683432F, 0.290284677F, 0.195090322F, 0.0980171403F, 0.0F};
 
-/// Unit vector at k turns of 1/64.
-inline Vec2 direction_at(std::size_t k) {
+template <class Number>
+struct CosineAndSine {
+  Number cosine;
+  Number sine;
+};
+
+/// Of k turns of 1/64, by a quarter of the cosines.
+template <class Number, class Cosines>
+constexpr CosineAndSine<Number> cosine_and_sine(const Cosines& cosines, std::size_t k) {
   constexpr std::size_t kQuarter = kDirections / 4;
   const std::size_t rest = k % kQuarter;
-  const float along = kQuarterCosines[rest];
-  const float across = kQuarterCosines[kQuarter - rest];
+  const Number along = cosines[rest];
+  const Number across = cosines[kQuarter - rest];
   switch (k / kQuarter % 4) {
     case 0: return {along, across};
     case 1: return {-across, along};
     case 2: return {-along, -across};
     default: return {across, -along};
   }
+}
+
+/// All of them, for which only a desk has room: nothing to decide.
+template <class Number>
+constexpr auto all_around(const auto& cosines) {
+  std::array<CosineAndSine<Number>, base::kVectors ? kDirections : 1> all{};
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = cosine_and_sine<Number>(cosines, k);
+  return all;
+}
+
+/// Unit vector at k turns of 1/64.
+inline Vec2 direction_at(std::size_t k) {
+  static constexpr auto kAll = all_around<float>(kQuarterCosines);
+  const auto [x, y] = base::kVectors ? kAll[k % kDirections] : cosine_and_sine<float>(kQuarterCosines, k);
+  return {x, y};
 }
 
 /// Unit vector of node k of `nodes`, 64 or 32.
@@ -50,16 +73,10 @@ inline constexpr auto kWholeCosines = [] {
 }();
 
 inline WholeVector whole_direction(std::size_t k, std::size_t nodes) {
-  constexpr std::size_t kQuarter = kDirections / 4;
+  static constexpr auto kAll = all_around<std::int32_t>(kWholeCosines);
   const std::size_t at = k * (kDirections / nodes);
-  const std::int32_t along = kWholeCosines[at % kQuarter];
-  const std::int32_t across = kWholeCosines[kQuarter - at % kQuarter];
-  switch (at / kQuarter % 4) {
-    case 0: return {along, across};
-    case 1: return {-across, along};
-    case 2: return {-along, -across};
-    default: return {across, -along};
-  }
+  const auto [x, y] = base::kVectors ? kAll[at % kDirections] : cosine_and_sine<std::int32_t>(kWholeCosines, at);
+  return {x, y};
 }
 
 /// The node whose direction is nearest to `unit`.
