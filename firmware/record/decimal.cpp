@@ -45,6 +45,35 @@ base::Result<std::int64_t, Reject> read_decimal(std::string_view text, const Num
   return raw;
 }
 
+std::optional<std::int64_t> read_plain(std::string_view& rest, const NumberField& field) {
+  constexpr std::ptrdiff_t kMaxDigits = 18;
+  const char* const end = rest.data() + rest.size();
+  const bool negative = rest.starts_with('-');
+  const char* at = rest.data() + (negative ? 1 : 0);
+  std::uint64_t magnitude = 0;  // of too many digits it is wrong, and not used
+  const auto digits = [&] {
+    const char* const first = at;
+    for (; at != end && *at >= '0' && *at <= '9'; ++at) magnitude = magnitude * 10 + static_cast<unsigned>(*at - '0');
+    return at - first;
+  };
+  const std::ptrdiff_t whole_digits = digits();
+  std::ptrdiff_t missing = field.decimals;
+  if (whole_digits == 0 || whole_digits + missing > kMaxDigits) return std::nullopt;
+  if (at != end && *at == '.') {
+    ++at;
+    const std::ptrdiff_t decimals = digits();
+    if (decimals == 0 || decimals > missing) return std::nullopt;
+    missing -= decimals;
+  }
+  if (at != end && *at != ',') return std::nullopt;
+  for (; missing > 0; --missing) magnitude *= 10;
+  const auto value = static_cast<std::int64_t>(magnitude);
+  const std::int64_t raw = negative ? -value : value;
+  if (raw < field.min || raw > field.max) return std::nullopt;
+  rest.remove_prefix(static_cast<std::size_t>(at - rest.data()) + (at != end ? 1 : 0));
+  return raw;
+}
+
 std::size_t write_decimal(std::int64_t raw, unsigned decimals, std::span<char> out) {
   FENCEPOST_CHECK(out.size() >= kMaxDecimal);
   char reversed[kMaxDecimal];

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -22,6 +23,10 @@ struct NumberField {
 /// holds for the rounded value.
 /// errors: number (malformed, empty), range
 base::Result<std::int64_t, Reject> read_decimal(std::string_view text, const NumberField& field);
+
+/// The same of the field at the front of `rest`, if it is as writers write it. It has at most 18 digits, no decimals
+/// beyond the field's, and is inside the range. Steps over it and its comma. Else nothing: read_decimal() says why.
+std::optional<std::int64_t> read_plain(std::string_view& rest, const NumberField& field);
 
 inline constexpr std::size_t kMaxDecimal = 21;  ///< characters of any int64 with sign and point
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace fencepost::record {
 namespace {
@@ -83,6 +86,64 @@ TEST(ReadDecimal, RejectsWhatIsNoPlainDecimal) {
     EXPECT_EQ(raw.error(), Reject::kNumber) << text;
   }
   EXPECT_EQ(read_decimal(std::string_view("1\0", 2), kFourDecimals).error(), Reject::kNumber);
+}
+
+// Whatever it reads is what read_decimal() reads of that field, and it reads all that writers write.
+TEST(ReadPlain, AgreesWithReadDecimal) {
+  constexpr std::string_view kFields[] = {"0",
+                                          "-0",
+                                          "7",
+                                          "-7",
+                                          "007",
+                                          "1.5",
+                                          "-1.25",
+                                          "0.1234",
+                                          "999.9999",
+                                          "1000",
+                                          "1000.1",
+                                          "-1000",
+                                          "0.0001",
+                                          "12.34567",
+                                          "1.",
+                                          ".5",
+                                          "-",
+                                          "",
+                                          "--1",
+                                          "1.2.3",
+                                          "+1",
+                                          "1e3",
+                                          "1\r",
+                                          "x",
+                                          "123456789",
+                                          "1234567890123",
+                                          "99999999999999",
+                                          "100000000000000",
+                                          "0000000000001.0000",
+                                          "12345678901234567890",
+                                          "999999999999999999999999999999"};
+  for (const NumberField& field : {kFourDecimals, kWhole, NumberField{-5, 9'999'999'999'999'999, 1}}) {
+    for (const std::string_view text : kFields) {
+      for (const std::string_view tail : {"", ",", ",2", ",,"}) {
+        const std::string line = std::string(text) + std::string(tail);
+        std::string_view rest = line;
+        const std::optional<std::int64_t> plain = read_plain(rest, field);
+        const auto whole = read_decimal(text, field);
+        if (!plain) {
+          EXPECT_EQ(rest, line) << line;
+          continue;
+        }
+        ASSERT_TRUE(whole.ok()) << line;
+        EXPECT_EQ(*plain, *whole) << line;
+        EXPECT_EQ(rest, tail.substr(tail.empty() ? 0 : 1)) << line;
+      }
+    }
+    for (const std::int64_t raw : {field.min, std::int64_t{0}, std::int64_t{1}, std::int64_t{12'345}, field.max}) {
+      if (raw < field.min || raw > field.max) continue;
+      char text[kMaxDecimal];
+      std::string_view rest(text, write_decimal(raw, field.decimals, text));
+      EXPECT_EQ(read_plain(rest, field), raw);
+    }
+  }
 }
 
 TEST(WriteDecimal, WritesExactlyTheDecimals) {
