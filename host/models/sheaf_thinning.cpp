@@ -1,6 +1,7 @@
 // Which view a full store gives up. Only the desk keeps sheaves: it looks at eight views at a time.
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "hal/base/check.hpp"
 #include "hal/base/vectors.hpp"
@@ -106,11 +107,15 @@ struct Nearest {
   ++known;
 }
 
+[[gnu::always_inline]] inline void count_lanes(Whole& index) {
+  for (std::size_t lane = 0; lane < kThinningLanes; ++lane) index[lane] = static_cast<std::int32_t>(lane);
+}
+
 // A known view's neighbours among all known ones.
 [[gnu::always_inline]] inline void look_around(const Columns& all, std::size_t known, std::size_t i) {
   const auto own = static_cast<std::int32_t>(i);
   Whole index;
-  for (std::size_t lane = 0; lane < kThinningLanes; ++lane) index[lane] = static_cast<std::int32_t>(lane);
+  count_lanes(index);
   Nearest nearest;
   clear(nearest);
   for (std::size_t j = 0; j < known; j += kThinningLanes) {
@@ -159,6 +164,21 @@ struct Choice {
   float gap;
 };
 
+// In each lane the oldest of the views with the smallest gap.
+struct Choices {
+  Whole view = Whole{} - 1;
+  Floats gap = Floats{} + std::numeric_limits<float>::max();
+};
+[[gnu::always_inline]] inline Choice oldest_of(const Choices& all) {
+  Choice choice{static_cast<std::size_t>(all.view[0]), all.gap[0]};
+  for (std::size_t lane = 1; lane < kThinningLanes; ++lane) {
+    const auto view = static_cast<std::size_t>(all.view[lane]);
+    if (all.gap[lane] > choice.gap || (all.gap[lane] == choice.gap && view > choice.view)) continue;
+    choice = {view, all.gap[lane]};
+  }
+  return choice;
+}
+
 // Chooses among the known views, when two more come after them: the oldest of those with the smallest gap. `last`: the
 // first one of the two, which may go as well.
 [[gnu::always_inline]] inline Choice choose(const Columns& all, std::size_t known, const SheafView& last,
@@ -167,7 +187,10 @@ struct Choice {
   Nearest of_newcomer;  // it stays: nobody asks
   clear(of_last);
   clear(of_newcomer);
-  Choice choice{known, 0};
+  Choices choices;
+  const auto count = static_cast<std::int32_t>(known);
+  Whole index;
+  count_lanes(index);
   for (std::size_t j = 0; j < known; j += kThinningLanes) {
     Nearest theirs;
     load(theirs, all, j);
@@ -180,11 +203,12 @@ struct Choice {
       gaps[lane] = std::sqrt(theirs.left[lane]) + std::sqrt(theirs.right[lane]);
     }
     gaps *= ends;
-    for (std::size_t lane = 0; lane < kThinningLanes && j + lane < known; ++lane) {
-      if (j + lane > 0 && !(gaps[lane] < choice.gap)) continue;
-      choice = {j + lane, gaps[lane]};
-    }
+    const Whole better = (gaps < choices.gap) & (index < count);
+    choices.view = better ? index : choices.view;
+    choices.gap = better ? gaps : choices.gap;
+    index += static_cast<std::int32_t>(kThinningLanes);
   }
+  Choice choice = oldest_of(choices);
   float left = least_of(of_last.left);
   float right = least_of(of_last.right);
   const Vec2 apart = newcomer.bearing - last.bearing;
