@@ -6,10 +6,11 @@
 namespace fencepost::host {
 
 void PassWatch::look(double t, std::uint32_t id, std::uint8_t signature, Point relative, double radius) {
-  const double distance = std::hypot(relative.x, relative.y);
   const auto known = ahead_.find(id);
   if (relative.x > kAhead) {
-    if (known != ahead_.end() || distance > kFarthest) return;
+    if (known != ahead_.end()) return;
+    const double distance = std::hypot(relative.x, relative.y);
+    if (distance > kFarthest) return;
     PassResult pass;
     pass.id = id;
     pass.signature = signature;
