@@ -1,6 +1,7 @@
 // Schedules the outline fits: objects with new tangents take turns, and a frame has time for a fixed number of steps.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -73,6 +74,8 @@ class OutlineFitter {
   // Fits the remaining outlines with new tangents, a few at a time.
   template <class Object>
   static void fit_together(std::span<Object> objects, int min_weight) {
+    const auto due = [min_weight](const Object& object) { return is_due(object, min_weight); };
+    if (std::none_of(objects.begin(), objects.end(), due)) return;  // in most frames
     Batch batch;
     base::FixedVector<Object*, Batch::kCapacity> taken;
     const auto solve = [&] {
@@ -81,7 +84,7 @@ class OutlineFitter {
       taken.clear();
     };
     for (auto& object : objects) {
-      if (!is_due(object, min_weight)) continue;
+      if (!due(object)) continue;
       batch.add(object.hybrid(), object.cylinder.known_radius());
       static_cast<void>(taken.push_back(&object));
       if (taken.full()) solve();
