@@ -28,11 +28,11 @@ extern const std::span<const std::uint8_t> kPackedLines;  ///< the same, packed;
 template <class Profile>
 inline constexpr std::uint64_t kCannedDigest = 0;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x2f45095659805cad;
+inline constexpr std::uint64_t kCannedDigest<config::Micro> = 0x9f505f8e95559de9;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Small> = 0xc22ee45e84f5a12b;
+inline constexpr std::uint64_t kCannedDigest<config::Small> = 0x325016eb15eaaf1f;
 template <>
-inline constexpr std::uint64_t kCannedDigest<config::Full> = 0x4f6b759dbf9a0cb3;
+inline constexpr std::uint64_t kCannedDigest<config::Full> = 0xec3cf83d0ab524b2;
 
 template <class Profile>
 CannedStream canned_stream() {

@@ -14,7 +14,7 @@
 namespace fencepost::recon {
 namespace {
 
-static_assert(kViewsForPolygon >= kFewestViews && kViewsForPolygon >= kViewsForShape);
+static_assert(kViewsForPolygon >= kFewestViews);
 
 std::int16_t whole_offset(float offset) {
   constexpr float kLimit = 3.27F;

@@ -123,7 +123,7 @@ SightedCircle sighted_circle(const Sighting& seen, const Vec2& away, float radiu
   MeasurementNoise ends = noise;  // of each end alone; the pose's is that of both
   ends.heading = 0;
   ends.position = 0;
-  const ViewTangents view = tangents_of(seen, {}, distance, false, ends);
+  const ViewTangents view = tangents_of(seen, {}, distance, ends);
   const float shape = squared(noise.roundness * radius);
   const float place = squared(noise.position);
   const float pose = squared(noise.heading * distance) + place;

@@ -133,10 +133,8 @@ float OutlineView::distance_from(const Vec2& point, std::size_t& nearest) const 
 
 float inflation(float share) {
   // Corners are rounded outwards, and what lies between tangents is: known well, an outline is a little large.
-  if (share < 0.4F) return -0.35F * std::min(1.0F, (0.4F - share) / 0.2F);
-  if (share < 0.9F) return (share - 0.4F) / 0.5F;
-  if (share < 3.0F) return 1.0F + (share - 0.9F) / 2.1F;
-  return std::min(3.0F, 2.0F + (share - 3.0F) / 3.0F);
+  const float rounded = 0.35F * std::clamp((0.4F - share) / 0.2F, 0.0F, 1.0F);
+  return std::min(share, kVagueShare) - rounded;
 }
 
 Vec2 OutlineView::corner(std::size_t k) const {
@@ -195,7 +193,7 @@ void add_view(HybridCore& core, Clusters clusters, const OutlineView& outline, c
   const bool elsewhere = core.views == 0 || moved_by >= kMinNewView;
   const std::uint8_t known = elsewhere ? std::uint8_t{0} : core.used;
   const float novelty = core.views == 0 || !elsewhere ? 1.0F : std::min(1.0F, moved_by);
-  const ViewTangents view = tangents_of(sighting, core.origin, distance, core.views < kViewsForShape, noise);
+  const ViewTangents view = tangents_of(sighting, core.origin, distance, noise);
   // A lower bound alone is no new information, unless the outline ends before it.
   if ((view.present & ~known) == 0 && outgrowing(core, outline, view) == 0) return;
   const unsigned edges = view.present & ~unsigned{known};

@@ -90,7 +90,7 @@ struct PlacedOutline {
 };
 
 /// How far the outline is moved out (negative: in), in sigmas, where a sigma is `share` of the radius: near the least
-/// expected R + P. From 0.35 in, where it is known well, to 3 out.
+/// expected R + P. A circle whose place is normal to sigma along a line is best drawn sigma^2 / r larger there.
 float inflation(float share);
 
 /// The outline as a polygon: all its half planes, moved out by inflation() and `more` sigmas. Local frame, metres,

@@ -48,7 +48,7 @@ void HybridSolver<kSectors, kOrder>::begin(HybridType& hybrid, float known_radiu
   hybrid.new_weight = 0;
   hybrid.fitting = true;
   views_ = hybrid.views;
-  low_order_.begin(views_ < kViewsForShape ? 1 : kOrder, radius_prior(known_radius));
+  low_order_.begin(radius_prior(known_radius));
   passes_ = kLowOrderPasses.size();
   pass_ = views_ < kFewestViews ? static_cast<std::uint8_t>(passes_ - 1) : std::uint8_t{0};
   warm_ = false;
@@ -115,14 +115,14 @@ int HybridSolver<kSectors, kOrder>::advance_factor(HybridType& hybrid) {
     refuse(hybrid);
     return work;
   }
-  if (++index_ < low_order_.unknowns()) return work;
+  if (++index_ < series_size(kOrder)) return work;
   low_order_.finish_pass(doubts() && kLowOrderPasses[pass_] <= kLearningWidening);
   if (++pass_ < passes_) {
     begin_low_order_pass();
   } else {
     enter(Stage::kNodes);
   }
-  return work + work_of_solution(low_order_.unknowns());
+  return work + work_of_solution(series_size(kOrder));
 }
 
 // Sigmas and offsets of the low order, all around.

@@ -41,21 +41,19 @@ void add_series_priors(const RadiusPrior& prior, std::size_t order, std::span<co
 }
 
 template <std::size_t kOrder>
-void LowOrderFit<kOrder>::begin(std::size_t order, const RadiusPrior& radius) {
+void LowOrderFit<kOrder>::begin(const RadiusPrior& radius) {
   radius_ = radius;
   x_.fill(0);
   x_[0] = radius.mean;
   spread_ = kFirstSpread;
-  order_ = static_cast<std::uint8_t>(order);
 }
 
 template <std::size_t kOrder>
 void LowOrderFit<kOrder>::add_support_value(const Vec2& direction, float offset, float share) {
   std::array<float, kUnknowns> basis{};
-  const std::span<float> used(basis.data(), unknowns());
-  series_basis(direction, used);
+  series_basis(direction, basis);
   x_[0] += share * offset;
-  for (std::size_t i = 1; i < used.size(); ++i) x_[i] += 2.0F * share * offset * used[i];
+  for (std::size_t i = 1; i < kUnknowns; ++i) x_[i] += 2.0F * share * offset * basis[i];
 }
 
 template <std::size_t kOrder>
@@ -71,10 +69,9 @@ template <std::size_t kOrder>
 void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool trusted) {
   const Cluster cluster = unpack(clusters[index]);
   std::array<float, kUnknowns> basis{};
-  const std::span<float> used(basis.data(), unknowns());
-  series_basis(direction_of(clusters, index), used);
+  series_basis(direction_of(clusters, index), basis);
   float residual = cluster.offset - x_[0];
-  for (std::size_t i = 1; i < used.size(); ++i) residual -= used[i] * x_[i];
+  for (std::size_t i = 1; i < kUnknowns; ++i) residual -= basis[i] * x_[i];
   if (cluster.lower_bound && (trusted || residual <= 0)) return;
   const float sigma = cluster.sigma * scale_;
   const float share = trusted ? 1.0F : inlier_share(residual, sigma);
@@ -88,33 +85,31 @@ void LowOrderFit<kOrder>::add(ConstClusters clusters, std::size_t index, bool tr
   float* entry = matrix_.data();
   *entry++ += weight;
   rhs_[0] += weight * residual;
-  for (std::size_t i = 1; i < used.size(); ++i) {
-    const float weighted = weight * used[i];
+  for (std::size_t i = 1; i < kUnknowns; ++i) {
+    const float weighted = weight * basis[i];
     rhs_[i] += weighted * residual;
     *entry++ += weighted;
-    for (std::size_t j = 1; j <= i; ++j) *entry++ += weighted * used[j];
+    for (std::size_t j = 1; j <= i; ++j) *entry++ += weighted * basis[j];
   }
 }
 
 template <std::size_t kOrder>
 void LowOrderFit<kOrder>::finish_pass(bool learn_spread) {
-  const std::span<float> correction(rhs_.data(), unknowns());
-  solve_lower(matrix_, correction);
-  solve_upper(matrix_, correction);
-  for (std::size_t i = 0; i < correction.size(); ++i) x_[i] += correction[i];
+  solve_lower(matrix_, rhs_);
+  solve_upper(matrix_, rhs_);
+  for (std::size_t i = 0; i < kUnknowns; ++i) x_[i] += rhs_[i];
   if (learn_spread && tangents_ >= kTangentsForSpread) spread_ = sums_.learnt(kLowOrderSpread);
 }
 
 template <std::size_t kOrder>
 SeriesValue LowOrderFit<kOrder>::at(const Vec2& direction) const {
   std::array<float, kUnknowns> basis{};
-  const std::span<float> used(basis.data(), unknowns());
-  series_basis(direction, used);
+  series_basis(direction, basis);
   float offset = x_[0];
-  for (std::size_t i = 1; i < used.size(); ++i) offset += used[i] * x_[i];
-  solve_lower(matrix_, used);  // b' (L L')^-1 b = |L^-1 b|^2
+  for (std::size_t i = 1; i < kUnknowns; ++i) offset += basis[i] * x_[i];
+  solve_lower(matrix_, basis);  // b' (L L')^-1 b = |L^-1 b|^2
   float variance = 0;
-  for (const float entry : used) variance += entry * entry;
+  for (const float entry : basis) variance += entry * entry;
   return {offset, std::sqrt(variance)};
 }
 

@@ -49,7 +49,7 @@ class LowOrderFit {
  public:
   static constexpr std::size_t kUnknowns = series_size(kOrder);
 
-  void begin(std::size_t order, const RadiusPrior& radius);
+  void begin(const RadiusPrior& radius);
   /// After begin(): the series nearest to an outline, of which each support value is added once. `share`: 1 / their
   /// number.
   void clear_series() { x_.fill(0); }
@@ -60,13 +60,12 @@ class LowOrderFit {
   /// as long as nothing is doubted.
   void add(ConstClusters clusters, std::size_t index, bool trusted);
   /// All tangents are in: the priors.
-  void begin_solution() { add_series_priors(radius_, order_, x_, matrix_, rhs_); }
-  /// Row i = 0 .. unknowns() - 1, in this order. False: ill-conditioned; nothing changes.
+  void begin_solution() { add_series_priors(radius_, kOrder, x_, matrix_, rhs_); }
+  /// Row i = 0 .. kUnknowns - 1, in this order. False: ill-conditioned; nothing changes.
   [[nodiscard]] bool factorise(std::size_t i) { return factorise_row(matrix_, i); }
   /// Solves the pass, after the last row.
   void finish_pass(bool learn_spread);
 
-  [[nodiscard]] std::size_t unknowns() const { return series_size(order_); }
   [[nodiscard]] SeriesValue at(const Vec2& direction) const;
   [[nodiscard]] Vec2 center() const { return {x_[1], x_[2]}; }
   [[nodiscard]] float radius() const { return x_[0]; }
@@ -80,7 +79,6 @@ class LowOrderFit {
   float scale_ = 1;  ///< of sigmas in this pass
   RadiusPrior radius_;
   Spread sums_;
-  std::uint8_t order_ = 1;
   std::uint8_t tangents_ = 0;
 };
 

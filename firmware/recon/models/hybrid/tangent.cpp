@@ -8,13 +8,6 @@
 namespace fencepost::recon {
 namespace {
 
-// Variance (m^2) that a piece which may be lost adds to each edge of an object at `distance`.
-float loss_variance(const Sighting& sighting, float distance) {
-  if (!sighting.both_edges()) return 0;
-  const float width = (sighting.left.direction - sighting.right.direction).norm() * distance;
-  return kLossProbability * kLostShare * kLostShare * width * width;
-}
-
 // Width (m) of the seen part of an object that goes on so far that its nearest point may be beyond the image; else 0.
 float width_of_part(const Sighting& sighting) {
   if (sighting.both_edges() || !sighting.rows_known || !(sighting.bottom.drop > 0)) return 0;
@@ -32,11 +25,9 @@ void put(ViewTangents& view, ViewTangents::Which which, Tangent& place, const Ta
 
 }  // namespace
 
-ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
-                         const MeasurementNoise& noise) {
+ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, const MeasurementNoise& noise) {
   ViewTangents view;
-  const float extra = first_views ? loss_variance(sighting, distance) : 0.0F;
-  const auto sigma = [&](const Ray& ray) { return std::sqrt(edge_variance(sighting, ray, distance, noise) + extra); };
+  const auto sigma = [&](const Ray& ray) { return std::sqrt(edge_variance(sighting, ray, distance, noise)); };
   const Ray& left = sighting.left;
   const Ray& right = sighting.right;
   if (left.end != End::kOccluded) {

@@ -28,10 +28,8 @@ struct ViewTangents {
   std::uint8_t lower_bound = 0;  ///< bits of Which: not an edge but a lower bound
 };
 
-/// `distance`: from the lens to the object's middle (m). `first_views`: nothing outvotes a lost piece of the segment
-/// yet, so its probability goes into the sigma of the edges. A lower bound or an
-/// ambiguous end is not present but a bound from below; an occluded one is neither.
-ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, bool first_views,
-                         const MeasurementNoise& noise);
+/// `distance`: from the lens to the object's middle (m). A lower bound or an ambiguous end is not present but a bound
+/// from below; an occluded one is neither.
+ViewTangents tangents_of(const Sighting& sighting, MapPoint origin, float distance, const MeasurementNoise& noise);
 
 }  // namespace fencepost::recon

@@ -17,11 +17,6 @@ namespace fencepost::recon {
 
 /// Minimum move of the lens for a view to count as new, as a share of a whole view's (kNovelShare). Tuning table, flat.
 inline constexpr float kMinNewView = 0.25F;
-/// share of its width that a piece has which a segment loses. Tuning table, flat.
-inline constexpr float kLostShare = 0.3F;
-/// Probability of that. Before kViewsForShape views nothing outvotes it, so it goes into the sigma of the edges. Tuning
-/// table, flat.
-inline constexpr float kLossProbability = 0.05F;
 /// m by which an end outside the image has to be beyond the outline to count as new. Tuning table.
 inline constexpr float kOutgrown = 0.03F;
 /// m, minimum width of the seen part of an object that goes on. Its foot is then that of the part in the image alone.
@@ -34,6 +29,8 @@ inline constexpr float kOutlineSquare = 2 * kLargestRadius;
 /// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
 /// Tuning table.
 inline constexpr float kMaxInward = 0.004F;
+/// share of the radius beyond which a larger sigma moves an outline no farther out. Hybrid table, flat.
+inline constexpr float kVagueShare = 2.0F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Tuning table,
 /// flat.
 inline constexpr float kWellKnownShare = 0.4F;
@@ -67,8 +64,9 @@ inline constexpr float kMinPivot = 32.0F / (1 << 24);
 
 /// m, sigma of the local origin as the centre. Tuning table.
 inline constexpr float kCenterSigma = 2.0F;
-/// of r / (m^2 - 1), the prior of order m. Measured on circles and on paths.
-inline constexpr float kShapeShare = 0.7F;
+/// of r / (m^2 - 1), the prior of order m. More: with few views an outline takes noise for shape; less: long things are
+/// drawn round. Hybrid table, and cars of the KITTI study.
+inline constexpr float kShapeShare = 0.5F;
 /// m, smallest radius that scales priors, and with which sigmas are compared. Tuning table, flat.
 inline constexpr float kMinRadius = 0.015F;
 /// m, largest radius that scales priors: of the higher orders, and of sides. Tuning table, flat.
@@ -114,8 +112,6 @@ inline constexpr std::uint8_t kTangentsForSpread = 1 + 2 * 3;
 /// Factor on variances with which a fit begins: twice the sigmas, for the accuracy of camera and wheels is unknown.
 /// Sigmas that are too small cost far more than those that are too large. Hybrid table.
 inline constexpr float kFirstSpread = 4.0F;
-/// views it takes to see more than a cylinder. Hybrid table.
-inline constexpr std::uint8_t kViewsForShape = 4;
 /// views it takes to see a polygon. Hybrid table.
 inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000

@@ -32,7 +32,7 @@ bool factorise(std::span<float> matrix, std::size_t unknowns) {
 template <class Fit>
 bool solve(Fit& fit) {
   fit.begin_solution();
-  for (std::size_t i = 0; i < fit.unknowns(); ++i) {
+  for (std::size_t i = 0; i < Fit::kUnknowns; ++i) {
     if (!fit.factorise(i)) return false;
   }
   fit.finish_pass(false);
@@ -102,8 +102,8 @@ class LowOrder : public ::testing::Test {};
 using Profiles = ::testing::Types<config::Full, config::Small, config::Micro>;
 TYPED_TEST_SUITE(LowOrder, Profiles);
 
-// Three tangents of a circle of 0.1 m around (0.2, 0), sigma 1 mm: the priors hardly matter.
-TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
+// Three tangents of a circle of 0.1 m around (0.2, 0), sigma 1 mm: the priors of the shape alone hold it round.
+TYPED_TEST(LowOrder, IsACircleWhereTangentsSayNoMore) {
   std::array<PackedCluster, 128> store{};
   const auto put = [&](double angle, double offset) {
     const Vec2 normal{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
@@ -111,7 +111,7 @@ TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
   };
   for (const double angle : {0.4, 2.5, 4.4}) put(angle, 0.1 + 0.2 * std::cos(angle));
   LowOrderFit<TypeParam::kHybridOrder> fit;
-  fit.begin(1, RadiusPrior{});
+  fit.begin(RadiusPrior{});
   fit.begin_pass(1);
   for (std::size_t i = 0; i < store.size(); ++i) {
     if (store[i].views > 0) fit.add(store, i, true);
@@ -128,7 +128,7 @@ TYPED_TEST(LowOrder, OrderOneIsTheCylinder) {
 // Without a tangent the priors are all there is: 0.08 m around the origin, give or take 5 cm and 2 m.
 TYPED_TEST(LowOrder, KnowsNothingWithoutTangents) {
   LowOrderFit<TypeParam::kHybridOrder> fit;
-  fit.begin(TypeParam::kHybridOrder, RadiusPrior{});
+  fit.begin(RadiusPrior{});
   fit.begin_pass(1);
   ASSERT_TRUE(solve(fit));
   EXPECT_NEAR(fit.radius(), 0.08F, 1e-6F);
