@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace fencepost::recon::guard {
 
@@ -16,6 +17,9 @@ struct Front {
   std::uint8_t signature = 0;
 };
 static_assert(sizeof(Front) == 8);
+
+/// How many of the last frames a point remembers. Derived: the bits of Front::frames.
+inline constexpr unsigned kRememberedFrames = std::numeric_limits<decltype(Front::frames)>::digits;
 
 inline constexpr int kDoubtTicks = 32;   ///< unit of Front::doubt, ticks of 0.1 ms
 inline constexpr int kSeenTicks = 2048;  ///< unit of Front::seen, ticks of 0.1 ms

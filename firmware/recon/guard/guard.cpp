@@ -270,7 +270,7 @@ std::size_t GuardCore::look(std::span<Front> store, const WaitingFrame& frame, c
     if (!blob.bearing) static_cast<void>(feet.push_back(foot_line(camera, blob, known)));
   }
 
-  const auto bit = static_cast<std::uint8_t>(1U << (turn_ % 8U));
+  const auto bit = static_cast<std::uint8_t>(1U << (turn_ % kRememberedFrames));
   // In whole counts: a point supported in the count of the stop may have been seen while the robot still moved.
   const std::int64_t stood = std::min<std::int64_t>(t.raw / kSeenTicks - stands_since.raw / kSeenTicks, kOldest);
   const bool counts_unsure = turn_ % kUnsureFrames == 0;

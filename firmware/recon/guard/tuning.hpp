@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "firmware/recon/guard/front.hpp"
 #include "firmware/recon/observe/tuning.hpp"
 #include "hal/base/units.hpp"
 
@@ -55,8 +56,8 @@ inline constexpr auto kMinStep = static_cast<std::int32_t>(1000 * kPositionNoise
 /// times what one frame adds, which is as of an object.
 inline constexpr base::Duration kRefutedAfter{kFewestViews * kMissedByOneFrame.raw};
 /// Of the frames that show neither support nor floor behind a visible point, one in this many counts against it. A
-/// power of two. Tuning table, flat.
-inline constexpr unsigned kUnsureFrames = 8;
+/// power of two. Derived: one in each round of the frames that a point remembers.
+inline constexpr unsigned kUnsureFrames = kRememberedFrames;
 /// Time without support after which a point that fewer than kFewestViews frames have supported is deleted. The last
 /// position of a foot that left the image is kept for as long. More: noise below the image adds up; less: slow cameras
 /// see nothing. Flat.

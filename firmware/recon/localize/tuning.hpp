@@ -28,16 +28,18 @@ inline constexpr float kWidestSine = 0.95F;
 
 // --- the filter ---
 
-/// variance (m^2, rad^2) of the start, which defines the map frame; zero would leave the first equations no margin.
-/// Tuning table, flat.
-inline constexpr float kStartVariance = 1e-6F;
-/// sigmas. Farther off than this a tangent is not this landmark's. Beyond kUsualSigmas it counts less, as Huber has it.
-/// A gate at the third loses loops for good, since nothing that is gated brings the pose back. Real runs.
-inline constexpr float kFilterGateSigmas = 10.0F;
-/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. Tuning table, flat.
-inline constexpr float kFarthestStep = 2.0F;
 /// share of each variance that is added in each update, to cover rounding: 1 % in ten thousand updates. Derived.
 inline constexpr float kRounding = 1e-6F;
+/// variance (m^2, rad^2) of the start, which defines the map frame. Zero would leave the first equations no margin.
+/// Derived: the rounding of a variance of one.
+inline constexpr float kStartVariance = kRounding;
+/// sigmas. Farther off than this a tangent is not this landmark's. Beyond kUsualSigmas it counts less, as Huber has it.
+/// A gate at the third loses loops for good, since nothing that is gated brings the pose back. Derived: noise does not
+/// reach kSurelySigmas, and sigmas may be half of what they should be (kOverconfidence). Real runs agree.
+inline constexpr float kFilterGateSigmas = 2 * kSurelySigmas;
+static_assert(kOverconfidence == 2 * 2);
+/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. Tuning table, flat.
+inline constexpr float kFarthestStep = 2.0F;
 
 // --- drift and models ---
 
@@ -52,6 +54,8 @@ struct LookInterval {
   float step = 0;
   std::int32_t turn = 0;
 };
+/// The interval of half as many looks.
+constexpr LookInterval doubled(const LookInterval& interval) { return {2 * interval.step, 2 * interval.turn}; }
 /// Limits of the correction's cost.
 struct LandmarkPace {
   LookInterval believed;   ///< while odometry is believed
@@ -68,9 +72,10 @@ struct LandmarkPace {
 /// For profile full, that is desks and Linux. Tuning table. The evidence is from real runs and from seven drives of
 /// KITTI, each with three pitches. With 24 two of these 21 are harmed, with 32 and 40 none.
 inline constexpr LandmarkPace kPaceOfDesks{{0.04F, 80'000}, {0, -1}, 0, false, 32.0F};
-/// For small profiles: half as much evidence from half as many looks. Drift study with profile small, loops 500 to 529,
+/// For small profiles: half as many looks as on desks while odometry is believed, and as many as there afterwards.
+/// Less evidence, for they give less. The share and the evidence: drift study with profile small, loops 500 to 529,
 /// also with five times the frames.
-inline constexpr LandmarkPace kPaceOfRobots{{0.08F, 160'000}, {0.04F, 80'000}, 0.02F, true, 6.0F};
+inline constexpr LandmarkPace kPaceOfRobots{doubled(kPaceOfDesks.believed), kPaceOfDesks.believed, 0.02F, true, 6.0F};
 /// Maximum evidence of one bearing, in squared sigmas, see LandmarkPace: real bearings have long tails. Derived: where
 /// Huber's tails begin.
 inline constexpr float kMaxEvidence = kUsualSigmas * kUsualSigmas;
@@ -105,8 +110,9 @@ inline constexpr auto kLensMinRate = static_cast<std::int32_t>(kLensTurn / base:
 /// 1/s. Share of a turn by which its rate may change between two frames. A latency that is wrong by 50 ms then changes
 /// the turn by a tenth. Tuning table, flat.
 inline constexpr float kLensSteady = 2.0F;
-/// Maximum share of the turn that parallax may have, for the object's distance may be wrong. Tuning table, flat.
-inline constexpr float kLensMaxParallax = 0.25F;
+/// Maximum share of the turn that parallax may have, for the object's distance may be wrong. Derived: a known distance
+/// may be off by the same share, and then the turn by a sixteenth.
+inline constexpr float kLensMaxParallax = kMaxDistanceSigmaShare;
 /// m, minimum distance of the object: nearer, the lens's place on the robot matters too much. Tuning table, flat.
 inline constexpr float kLensNearest = 0.3F;
 /// Factor beyond which a sample is an outlier. Tuning table, flat.

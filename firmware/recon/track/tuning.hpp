@@ -40,8 +40,8 @@ inline constexpr auto kUnknownCost = static_cast<std::uint8_t>(kCostScale * 3 / 
 inline constexpr float kCostOfUnknownSide = 0.5F * 0.5F;
 /// cost units. A blob that stays unmatched; a dearer pair is not made. More: swaps; less: doubles. Tuning table.
 inline constexpr std::uint8_t kUnmatchedCost = 160;
-/// Ids that stay for one that changes, of a camera that tracks, before it has shown its own odds. Trackers change the
-/// id of one box in 60 to 160 (SORT on MOT17, StrongSORT on MOT16).
+/// Ids that stay for one that changes, of a camera that tracks, before it has shown its own odds. Derived from
+/// published trackers: they change the id of one box in 60 to 160 (SORT on MOT17, StrongSORT on MOT16).
 inline constexpr std::uint8_t kIdsKept = 64;
 /// cost units of odds of 2 to 1. Derived: a side's cost is a normal's log-likelihood, kCostScale / 4 at the gate.
 inline constexpr auto kCostOfOctave =
@@ -64,8 +64,8 @@ inline constexpr auto kFootSigmas = static_cast<int>(kUsualSigmas);
 /// known objects in more frames than refute one. Tuning table.
 inline constexpr std::uint32_t kFewViews = 8;
 /// Time before a mover of its colour is known within which an object's last sighting may have been that mover. More:
-/// static objects are forgotten; less: ghosts. Tuning table, flat.
-inline constexpr base::Duration kTrail = base::milliseconds(1500);
+/// static objects are forgotten; less: ghosts. Derived: kFewestViews sightings, each at most kMoment after another.
+inline constexpr base::Duration kTrail{kFewestViews * kMoment.raw};
 /// Minimum time for which an object is kept, whatever contradicts it. Derived: twice what refutes it.
 inline constexpr base::Duration kKeepUnseen{2 * kMoment.raw};
 

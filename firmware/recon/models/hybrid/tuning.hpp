@@ -117,9 +117,9 @@ inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
 /// instructions, at most 50,000. By design: a slice of the smallest part's frame. Tuning table, flat.
 inline constexpr int kWorkPerStep = 500;
-/// Parts of a whole view in which the weight of new views is counted. By design: a view has at least kMinNewView.
-/// Tuning table, flat.
-inline constexpr int kWholeView = 32;
+/// Parts of a whole view in which the weight of new views is counted. Derived: a view of kMinNewView has eight parts,
+/// and rounding changes its weight by a sixteenth at most.
+inline constexpr auto kWholeView = static_cast<int>(8 / kMinNewView);
 /// Passes of a warm fit, the last ones of series and of support: it begins from the outline that is there. More:
 /// outlines of boards are older; fewer: what a first fit got wrong stays. Lap at 0.15 m/s and 10 frames/s, level 2,
 /// seeds 71001 to 71030.
