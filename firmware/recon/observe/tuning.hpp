@@ -42,7 +42,7 @@ inline constexpr int kUndistortSteps = 5;
 
 // --- time ---
 
-/// Maximum time that a frame waits for the odometry at its exposure. Stream.
+/// Maximum time that a frame waits for the odometry at its exposure. By design: a rule of the stream.
 inline constexpr base::Duration kMaxWait = base::milliseconds(200);
 /// Maximum number of frames that wait. Stream.
 inline constexpr std::size_t kMaxWaitingFrames = 4;

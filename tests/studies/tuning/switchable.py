@@ -45,18 +45,19 @@ REPLACED = {
 }
 
 DECLARED = re.compile(r"inline constexpr ([\w:]+(?:<[^=]*?>)?)\s+(k\w+)\s*(?:=\s*([^;]+?)|(\{[^;]+?\}));", re.S)
+NOT_TUNED = re.compile("Derived|By design")  # in its comment: the study need not judge the number
 LITERAL = re.compile(r"(?<![\w.])\d[\d'.]*(?:e-?\d+)?F?(?![\w.])")
 
 
 def switchable(text, folder):
-    """The text of a tuning.hpp with its numbers switchable, and a Number for each, derived by its comment."""
+    """The text of a tuning.hpp with its numbers switchable, and a Number for each; its comment says if it is derived."""
     names = []
 
     def replace(match):
         kind, name, value, braced = match.groups()
         if name in FIXED:
             return match[0]
-        derived = re.search(r"Derived", comment_before(text, match.start())) is not None
+        derived = NOT_TUNED.search(comment_before(text, match.start())) is not None
         if value and not value.startswith("{") and "std::span" not in kind:
             names.append(Number(name, plain(value), derived, folder))
             of = "" if kind == "auto" else f"<{kind}>"

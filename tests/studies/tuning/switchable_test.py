@@ -34,6 +34,10 @@ class Switchable(unittest.TestCase):
         line, numbers, _ = of("/// Derived: five.\ninline constexpr base::Duration kWait{5 * kMoment.raw};")
         self.assertEqual(numbers, [("kWait", "5 * kMoment.raw", True, "room")])
 
+    def test_what_is_by_design_is_not_tuned(self):
+        _, numbers, _ = of("/// By design: a rule.\ninline constexpr int kRule = 4;")
+        self.assertEqual(numbers, [("kRule", "4", True, "room")])
+
     def test_a_structure_but_for_what_switches(self):
         line, numbers, _ = of("inline constexpr Pace kPace{{0.04F, 80'000}, {0, -1}, true};")
         self.assertEqual(line, 'inline const Pace kPace{{Tuned{"kPace.0", 0.04F, 0}, Tuned{"kPace.1", 80\'000, 0}}, {0, -1}, true};')

@@ -115,7 +115,7 @@ inline constexpr float kFirstSpread = 4.0F;
 /// views it takes to see a polygon. Hybrid table.
 inline constexpr std::uint8_t kViewsForPolygon = 8;
 /// floating-point operations of a step, roughly, before it ends: on a core without a floating-point unit some 30,000
-/// instructions, at most 50,000. By design: a slice of the smallest part's frame. Tuning table, flat.
+/// instructions, at most 50,000. By design: a slice of the smallest part's frame.
 inline constexpr int kWorkPerStep = 500;
 /// Parts of a whole view in which the weight of new views is counted. Derived: a view of kMinNewView has eight parts,
 /// and rounding changes its weight by a sixteenth at most.
