@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
 #include "host/import/import.hpp"
 #include "host/replay/replay.hpp"
 #include "tests/firmware/record/lines.hpp"
+#include "tests/studies/drift/textbook_filter.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -92,6 +94,10 @@ RealResult run_real(const RealRun& run, const RealOptions& options) {
   const host::ResultDocument found = replay(imported, options, run.name);
   RealResult result;
   std::vector<Pair> pairs;
+  std::vector<Pair> textbook;
+  std::map<std::uint8_t, host::Point> by_textbook;
+  if (options.rows)
+    by_textbook = textbook_landmarks(imported.log, imported.truth->camera, host::MrclamOptions{}.diameter / 2);
   for (const host::SceneObject& landmark : imported.truth->objects) {
     std::string name = landmark.name;
     if (run.exchanged && name == "landmark 11") {
@@ -101,6 +107,8 @@ RealResult run_real(const RealRun& run, const RealOptions& options) {
     }
     const auto truth = std::find_if(imported.truth->objects.begin(), imported.truth->objects.end(),
                                     [&](const host::SceneObject& object) { return object.name == name; });
+    const auto known = by_textbook.find(landmark.signature);
+    if (known != by_textbook.end()) textbook.push_back({known->second, middle_of(*truth)});
     const host::ObjectResult* best = best_of(found, landmark.signature);
     if (best == nullptr) {
       ++result.missing;
@@ -119,6 +127,7 @@ RealResult run_real(const RealRun& run, const RealOptions& options) {
   result.map = rms(result.landmarks);
   result.turned = alignment.turn;
   result.scale = alignment.scale;
+  if (!textbook.empty()) result.textbook = rms(align(textbook).errors);
   if (has_survey(run)) {
     const host::Imported truth = import(run, options, host::PoseSource::kTruth);
     RealOptions uncorrected = options;

@@ -34,14 +34,15 @@ struct RealOptions {
 };
 
 struct RealResult {
-  std::vector<double> landmarks;  ///< m, sorted: how far off they are after the rotation and shift that suit all best
-  double map = 0;                 ///< m, their rms
-  double scale = 1;               ///< by which the map is too small: without ground rows it is that of the odometry
-  double turned = 0;              ///< rad, how the map is turned against the survey's frame, where the start is known
-  std::size_t objects = 0;        ///< of landmarks' signatures
-  std::size_t missing = 0;        ///< landmarks without an object
-  std::size_t movers = 0;         ///< objects of the robots' signature, at the end, that were taken for lasting ones
-  std::optional<PathError> path;  ///< where true poses are known
+  std::vector<double> landmarks;   ///< m, sorted: how far off they are after the rotation and shift that suit all best
+  double map = 0;                  ///< m, their rms
+  double scale = 1;                ///< by which the map is too small: without ground rows it is that of the odometry
+  double turned = 0;               ///< rad, how the map is turned against the survey's frame, where the start is known
+  std::size_t objects = 0;         ///< of landmarks' signatures
+  std::size_t missing = 0;         ///< landmarks without an object
+  std::size_t movers = 0;          ///< objects of the robots' signature, at the end, that were taken for lasting ones
+  std::optional<PathError> path;   ///< where true poses are known
+  std::optional<double> textbook;  ///< m, rms of a textbook filter's map; by rows only
 };
 
 /// Throws std::runtime_error if the recording cannot be read.
