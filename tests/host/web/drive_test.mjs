@@ -151,8 +151,7 @@ await run({
     const log = await saved("#drive-log", "dragged.log");
     assert.match(tools.says("evaluate", log, "--scene", file), /red/);
     await page.locator("#room-file").setInputFiles(file);
-    await frames(page, 2, FRAME);
-    assert.equal(await text(page, "#drive-said"), "");
+    await page.waitForFunction(() => document.getElementById("drive-said").textContent === "", null, POLLED);
     const again = JSON.parse(readFileSync(await saved("#drive-scene", "again.json")));
     assert.deepEqual(again.objects, scene.objects);
     scene.objects[0].signatur = 1;
