@@ -81,7 +81,7 @@ bool run(const Request& request) {
                     maps.back(), objects, kMedian, kWorst, kObjects));
   if (!textbook.empty()) {
     const double middle = median_of(textbook);
-    print(fmt::format("a textbook filter that is given which is which: {:.3f} m, {:.3f}\n", middle, textbook.back()));
+    print(fmt::format("a textbook filter: median {:.3f} m, worst {:.3f}\n", middle, textbook.back()));
   }
   return reached || !request.judge;
 }
