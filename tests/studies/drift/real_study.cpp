@@ -43,8 +43,8 @@ void print_row(const RealRun& run, const RealResult& result) {
   print(row);
 }
 
-// Sorts them.
-double median_of(std::vector<double>& values) {
+// The mean of the middle two; sorts them.
+double sorted_median(std::vector<double>& values) {
   std::sort(values.begin(), values.end());
   return 0.5 * (values[values.size() / 2] + values[(values.size() - 1) / 2]);
 }
@@ -75,12 +75,12 @@ bool run(const Request& request) {
     objects = std::max(objects, result.objects);
   }
   if (maps.empty()) return true;
-  const double median = median_of(maps);
+  const double median = sorted_median(maps);
   const bool reached = median <= kMedian && maps.back() <= kWorst && objects <= kObjects;
   print(fmt::format("\nmedian {:.3f} m, worst {:.3f} m, at most {} objects; wanted: {:.2f}, {:.2f}, {}\n", median,
                     maps.back(), objects, kMedian, kWorst, kObjects));
   if (!textbook.empty()) {
-    const double middle = median_of(textbook);
+    const double middle = sorted_median(textbook);
     print(fmt::format("a textbook filter: median {:.3f} m, worst {:.3f}\n", middle, textbook.back()));
   }
   return reached || !request.judge;

@@ -3,12 +3,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "firmware/recon/observe/sighting.hpp"
 #include "firmware/record/decode.hpp"
+#include "host/import/text_lines.hpp"
+#include "host/scene/scene.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -28,31 +31,25 @@ constexpr double kDoubtedPlace = 0.1;     // m
 constexpr double kDoubtedHeading = 0.14;  // rad
 
 double squared(double x) { return x * x; }
-double wrapped(double angle) { return std::remainder(angle, 2 * M_PI); }
-
-struct Pose {
-  double t = 0;
-  double x = 0;
-  double y = 0;
-  double heading = 0;
-};
+double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 /// A frame's exposure lies between the last two samples of odometry: it comes after them.
-struct Log {
+struct LogReader {
   TextbookFilter filter;
   recon::CameraModel camera;
   double radius = 0;
-  Pose at;  ///< of the filter, by odometry
-  std::optional<Pose> last;
+  host::TimedPose at;  ///< of the filter, by odometry
+  std::optional<host::TimedPose> last;
 
-  void move_to(const Pose& pose) {
+  void move_to(const host::TimedPose& pose) {
     const double c = std::cos(at.heading), s = std::sin(at.heading);
     const double dx = pose.x - at.x, dy = pose.y - at.y;
     filter.move(c * dx + s * dy, c * dy - s * dx, wrapped(pose.heading - at.heading));
     at = pose;
   }
   void accept(const sensor::OdometrySample& sample) {
-    const Pose pose{sample.t.to_double(), sample.x.to_double(), sample.y.to_double(), sample.heading.to_double()};
+    const host::TimedPose pose{sample.t.to_double(), sample.x.to_double(), sample.y.to_double(),
+                               sample.heading.to_double()};
     if (last) {
       move_to(*last);
     } else {
@@ -107,7 +104,7 @@ void TextbookFilter::move(double forward, double left, double turn) {
 
 void TextbookFilter::begin(std::uint8_t signature, double bearing, double range) {
   const auto at = state_.size();
-  if (at + 2 > kMost) return;
+  if (at + 2 > kMaxStates) return;
   const double angle = state_(2) + bearing;
   const double c = std::cos(angle), s = std::sin(angle);
   Eigen::Matrix<double, 2, 3> by_pose;
@@ -137,7 +134,7 @@ void TextbookFilter::see(std::uint8_t signature, double bearing, std::optional<d
   const int at = known->second;
   const double dx = state_(at) - state_(0), dy = state_(at + 1) - state_(1);
   const double away = std::hypot(dx, dy);
-  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMost> model = decltype(model)::Zero(2, state_.size());
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, kMaxStates> model = decltype(model)::Zero(2, state_.size());
   const Eigen::Vector2d turned(-dy / squared(away), dx / squared(away));
   const Eigen::Vector2d farther(dx / away, dy / away);
   model.block<1, 2>(0, at) = turned.transpose();
@@ -146,7 +143,7 @@ void TextbookFilter::see(std::uint8_t signature, double bearing, std::optional<d
   model.block<1, 2>(1, at) = farther.transpose();
   model.block<1, 2>(1, 0) = -farther.transpose();
   const Eigen::Vector2d off(wrapped(bearing - std::atan2(dy, dx) + state_(2)), range.value_or(away) - away);
-  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMost, 2> shared = covariance_ * model.transpose();
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxStates, 2> shared = covariance_ * model.transpose();
   Eigen::Matrix2d expected = model * shared;
   expected(0, 0) += squared(kBearing);
   expected(1, 1) += squared(range ? kRangeShare * away + kRange : kNoRange);
@@ -161,7 +158,7 @@ void TextbookFilter::see(std::uint8_t signature, double bearing, std::optional<d
     return;
   }
   missed = 0;
-  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMost, 2> gain = shared * inverse;
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxStates, 2> gain = shared * inverse;
   state_ += gain * off;
   covariance_ -= gain * shared.transpose();
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
@@ -175,13 +172,11 @@ std::map<std::uint8_t, host::Point> TextbookFilter::landmarks() const {
 
 std::map<std::uint8_t, host::Point> textbook_landmarks(const std::string& log, const sensor::CameraIntrinsics& camera,
                                                        double radius) {
-  Log reading{{}, recon::make_camera_model(camera), radius, {}, {}};
-  for (std::size_t at = 0; at < log.size();) {
-    const std::size_t end = std::min(log.size(), log.find_first_of("\r\n", at));
-    if (!record::decode(std::string_view(log).substr(at, end - at), {}, reading)) throw std::runtime_error("bad line");
-    at = log.find_first_not_of("\r\n", end);
+  LogReader reader{{}, recon::make_camera_model(camera), radius, {}, {}};
+  for (const std::string_view line : host::lines_of(log)) {
+    if (!record::decode(line, {}, reader)) throw std::runtime_error("not a record: " + std::string(line));
   }
-  return reading.filter.landmarks();
+  return reader.filter.landmarks();
 }
 
 }  // namespace fencepost::test

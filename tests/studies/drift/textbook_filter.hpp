@@ -24,9 +24,9 @@ class TextbookFilter {
   [[nodiscard]] std::map<std::uint8_t, host::Point> landmarks() const;
 
  private:
-  static constexpr int kMost = 3 + 2 * 30;
-  using State = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1>;
-  using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+  static constexpr int kMaxStates = 3 + 2 * 30;
+  using State = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
+  using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates, kMaxStates>;
 
   void begin(std::uint8_t signature, double bearing, double range);
 

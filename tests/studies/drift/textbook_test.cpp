@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "tests/real/alignment.hpp"
@@ -17,13 +18,13 @@ const std::vector<host::Point> kLandmarks{{2.5, 0}, {-0.5, 2.5}, {-2, -1.5}, {0.
 // Laps of 1 m radius, by odometry that turns `factor` times as much.
 double map_error(double factor, bool corrects) {
   TextbookFilter filter;
-  const double turn = 2 * M_PI / kSteps;
+  const double turn = 2 * std::numbers::pi / kSteps;
   const double forward = 2 * std::sin(turn / 2);
-  double x = 1, y = 0, heading = M_PI / 2;
+  double x = 1, y = 0, heading = std::numbers::pi / 2;
   for (int step = 0; step <= kLaps * kSteps; ++step) {
     for (std::size_t i = 0; i < kLandmarks.size(); ++i) {
       const double dx = kLandmarks[i].x - x, dy = kLandmarks[i].y - y;
-      const double bearing = std::remainder(std::atan2(dy, dx) - heading, 2 * M_PI);
+      const double bearing = std::remainder(std::atan2(dy, dx) - heading, 2 * std::numbers::pi);
       const bool first = step >= kSteps * static_cast<int>(i);  // one more in each lap
       if (!first || (!corrects && step > kSteps * static_cast<int>(i))) continue;
       filter.see(static_cast<std::uint8_t>(i), bearing, std::hypot(dx, dy));
