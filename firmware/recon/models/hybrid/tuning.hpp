@@ -29,7 +29,7 @@ inline constexpr float kOutlineSquare = 2 * kLargestRadius;
 /// m by which an outline that is known well is moved in, at most: sigmas of large ones say how far a series is off.
 /// Tuning table.
 inline constexpr float kMaxInward = 0.004F;
-/// share of the radius beyond which a larger sigma moves an outline no farther out. Hybrid table, flat.
+/// share of the radius beyond which a larger sigma moves an outline no farther out. Hybrid table.
 inline constexpr float kVagueShare = 2.0F;
 /// sigma as a share of the radius below which an outline is known well: to be drawn and measured by. Tuning table,
 /// flat.
