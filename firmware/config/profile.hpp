@@ -25,7 +25,7 @@ struct Micro {
   static constexpr std::size_t kPoses = 24;          ///< 0.5 s of 50 Hz odometry: latency plus the 0.2 s of waiting
   static constexpr std::size_t kOutputBytes = 1024;  ///< one longest line
   static constexpr std::size_t kJournalBytes = 0;    ///< of a log beside the console: a brain with a disk has one
-  static constexpr std::size_t kBudget = 10 * 1024 + 16;  ///< bytes of Memory, reserves included
+  static constexpr std::size_t kBudget = 10 * 1024 + 24;  ///< bytes of Memory, reserves included
   static constexpr std::size_t kHybridSectors = 32;       ///< of directions: the small version, a series of order 5
   static constexpr std::size_t kHybridOrder = 5;
   static constexpr int kHybridSteps = 1;  ///< of a fit in a frame

@@ -6,7 +6,7 @@
 //   - the exposure since which the robot is stationary;
 //   - of the guard beside the map: how many points it has, and four of them in turn;
 //   - of the check of the lens: one of its four parts in turn.
-//   - in frames that the pose correction takes: the filter's pose and covariance, how far odometry drifts.
+//   - in frames that the pose correction takes: the filter's pose, origin and covariance, how far odometry drifts.
 //   - in these frames also one landmark in turn, with all of its covariances.
 // A frame's hash is thus bounded, and nothing that differs stays hidden for longer than all parts of all slots take.
 #pragma once
@@ -40,7 +40,7 @@ void hash_guard(base::Fnv1a64& hash, const guard::Guard<kCapacity>& guard, std::
 }
 
 /// Hashes the pose correction, unless it is off: whether it corrects, the drift gauge, the strayers, and the filter's
-/// pose with its covariance. One landmark follows, with all of its covariances.
+/// pose with its origin and covariance. One landmark follows, with all of its covariances.
 template <class Correction>
 void hash_correction(base::Fnv1a64& hash, const Correction& correction, std::size_t slot) {
   const auto& filter = correction.filter();
@@ -57,6 +57,8 @@ void hash_correction(base::Fnv1a64& hash, const Correction& correction, std::siz
   for (const std::uint8_t signature : correction.strayers().signatures()) hash.u8(signature);
   hash_pose(hash, filter.at().pose);
   hash_pose(hash, filter.at().odometry);
+  hash.i32(filter.origin().x);
+  hash.i32(filter.origin().y);
   hash_floats(hash, filter.pose_covariances());
   if (!filter.landmark(slot).used()) return;
   hash_landmark(hash, filter.landmark(slot));

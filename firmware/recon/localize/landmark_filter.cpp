@@ -44,23 +44,19 @@ Vec2 direction_of(std::int64_t microradians) {
   return {direction.cos, direction.sin};
 }
 
-/// d(residual's prediction) / d(state): only these six are not zero.
+// How a place moves with each radian of the heading's error.
+Vec2 lever_of(const FilterView& filter, const MapPoint& place) { return left_of(offset_from(filter.origin, place)); }
+
+/// An equation's derivatives: `normal` by the landmark's centre, its negative by the position, `radius` by the radius.
 struct Jacobian {
-  Vec2 center{0, 0};  ///< the position's is its negative
-  float heading = 0;
+  Vec2 normal{0, 0};  ///< map axes
   float radius = 1;
 };
-
-// The Jacobian of an equation with this normal in map axes.
-Jacobian jacobian_of(const Vec2& normal, const Vec2& away, float radii) {
-  return {normal, left_of(normal).dot(away), radii};
-}
 
 // Covariance of what is measured with the state that has this row; the radius left out.
 template <class Row>
 float along(const Jacobian& jacobian, std::size_t slot, Row&& row) {
-  return jacobian.center.x() * (row(x_of(slot)) - row(kX)) + jacobian.center.y() * (row(y_of(slot)) - row(kY)) +
-         jacobian.heading * row(kHeading);
+  return jacobian.normal.x() * (row(x_of(slot)) - row(kX)) + jacobian.normal.y() * (row(y_of(slot)) - row(kY));
 }
 
 /// The step of an equation, as far as it is known: P J', by states.
@@ -76,15 +72,14 @@ class Projection {
 
   /// Computes the step of the states in the equation and returns J P J'.
   [[nodiscard]] float own() const {
-    for (const std::size_t i : {std::size_t{kX}, std::size_t{kY}, std::size_t{kHeading}, x_of(slot_), y_of(slot_)}) {
-      project_place(i);
-    }
+    for (const std::size_t i : {std::size_t{kX}, std::size_t{kY}, x_of(slot_), y_of(slot_)}) project_place(i);
     project_radius(slot_);
     return along(jacobian_, slot_, [&](std::size_t j) { return out_[j]; }) +
            jacobian_.radius * out_[covariance_.places() + slot_];
   }
   /// Computes the step of all other states.
   void others() const {
+    project_place(kHeading);
     for (std::size_t l = 0; l < landmarks_; ++l) {
       if (l == slot_) continue;
       project_place(x_of(l));
@@ -159,32 +154,56 @@ void reduce(const FilterView& filter, std::span<const float> projected, float in
   }
 }
 
-// Moves all states by step[] = gain * residual.
-void move_states(const FilterView& filter, std::span<const float> step) {
-  MapPose& pose = filter.at.pose;
-  pose.position = moved(pose.position, {step[kX], step[kY]});
-  const float turn = step[kHeading] * kMicroradians;
-  pose.heading += static_cast<std::int32_t>(turn < 0 ? turn - 0.5F : turn + 0.5F);
-  const std::size_t places = places_of(filter.landmarks.size());
-  for (std::size_t l = 0; l < filter.in_use; ++l) {
-    Landmark& landmark = filter.landmarks[l];
-    if (!landmark.used()) continue;
-    landmark.center = moved(landmark.center, {step[x_of(l)], step[y_of(l)]});
-    landmark.radius = std::max(kPointRadius, landmark.radius + step[places + l]);
-  }
-}
+/// The step of all states: `projected` times `gain`. A place moves by its own step, and turns about the origin with the
+/// heading.
+class Step {
+ public:
+  Step(const FilterView& filter, std::span<const float> projected, float gain)
+      : filter_(filter), projected_(projected), gain_(gain) {}
 
-// False if the tangent would move any state by kFarthestStep or more: it is not trusted then.
-bool is_plausible(std::span<const float> projected, float gain) {
-  return std::all_of(projected.begin(), projected.end(),
-                     [gain](float part) { return std::fabs(part * gain) < kFarthestStep; });
-}
+  /// False if it would move any state by kFarthestStep or more: the equation is not trusted then.
+  [[nodiscard]] bool is_plausible() const {
+    const auto near = [](float step) { return std::fabs(step) < kFarthestStep; };
+    const auto moves_near = [&](const Vec2& step) { return near(step.x()) && near(step.y()); };
+    if (!near(turn()) || !moves_near(of_place(kX, filter_.at.pose.position))) return false;
+    for (std::size_t l = 0; l < filter_.in_use; ++l) {
+      const Landmark& landmark = filter_.landmarks[l];
+      if (landmark.used() && !(moves_near(of_place(x_of(l), landmark.center)) && near(of_radius(l)))) return false;
+    }
+    return true;
+  }
+  void take() const {
+    for (std::size_t l = 0; l < filter_.in_use; ++l) {
+      Landmark& landmark = filter_.landmarks[l];
+      if (!landmark.used()) continue;
+      landmark.center = moved(landmark.center, of_place(x_of(l), landmark.center));
+      landmark.radius = std::max(kPointRadius, landmark.radius + of_radius(l));
+    }
+    MapPose& pose = filter_.at.pose;
+    pose.position = moved(pose.position, of_place(kX, pose.position));
+    const float turned = turn() * kMicroradians;
+    pose.heading += static_cast<std::int32_t>(turned < 0 ? turned - 0.5F : turned + 0.5F);
+  }
+
+ private:
+  [[nodiscard]] float turn() const { return gain_ * projected_[kHeading]; }
+  [[nodiscard]] Vec2 of_place(std::size_t x, const MapPoint& place) const {
+    return gain_ * Vec2{projected_[x], projected_[x + 1]} + turn() * lever_of(filter_, place);
+  }
+  [[nodiscard]] float of_radius(std::size_t l) const {
+    return gain_ * projected_[places_of(filter_.landmarks.size()) + l];
+  }
+
+  const FilterView& filter_;
+  std::span<const float> projected_;
+  float gain_;
+};
 
 // Adapts the drift factor: a step up the likelihood's gradient. A residual above the expected one raises it, one below
 // lowers it. The step is weighted by the share that the driving since the last equation has in the innovation.
-void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float innovation) {
-  const float driven =
-      gauge.position * jacobian.center.squared_norm() + gauge.heading * jacobian.heading * jacobian.heading;
+void compare(DriftGauge& gauge, const Vec2& normal, const Vec2& away, float squared, float innovation) {
+  const float lever = left_of(normal).dot(away);
+  const float driven = gauge.position * normal.squared_norm() + gauge.heading * lever * lever;
   const float share = std::min(1.0F, driven / innovation);
   gauge.surprise = squared < kMaxSurprise ? squared : kMaxSurprise;
   gauge.usual += kAgreementGain * (gauge.surprise - gauge.usual);
@@ -193,22 +212,49 @@ void compare(DriftGauge& gauge, const Jacobian& jacobian, float squared, float i
   gauge.heading *= 1 - share;
 }
 
-// The heading's error moves what comes after it sideways by `moved` turned left.
-void shear(const FilterView& filter, const Vec2& driven) {
+// The heading has become uncertain by `variance` (rad^2) while all places stay where they are.
+void doubt_heading(const FilterView& filter, float variance, std::span<float> lever) {
   const Covariance p(filter);
-  const Vec2 lever = left_of(driven);
-  const float turn = p.at(kHeading, kHeading);
-  p.at(kX, kX) += lever.x() * (2 * p.at(kHeading, kX) + lever.x() * turn);
-  p.at(kY, kX) += lever.x() * p.at(kHeading, kY) + lever.y() * (p.at(kHeading, kX) + lever.x() * turn);
-  p.at(kY, kY) += lever.y() * (2 * p.at(kHeading, kY) + lever.y() * turn);
-  p.at(kHeading, kX) += lever.x() * turn;
-  p.at(kHeading, kY) += lever.y() * turn;
-  const auto follow = [&](std::span<float> row) {
-    row[kX] += lever.x() * row[kHeading];
-    row[kY] += lever.y() * row[kHeading];
+  const auto set = [&](std::size_t x, const Vec2& of_place) {
+    lever[x] = -of_place.x();
+    lever[x + 1] = -of_place.y();
   };
-  for (std::size_t i = kHeading + 1; i < p.places_in_use(); ++i) follow({&p.at(i, 0), 3});
-  for (std::size_t l = 0; l < filter.in_use; ++l) follow(p.radius(l).first(3));
+  set(kX, lever_of(filter, filter.at.pose.position));
+  lever[kHeading] = 1;
+  for (std::size_t l = 0; l < filter.in_use; ++l) {
+    const Landmark& landmark = filter.landmarks[l];
+    set(x_of(l), landmark.used() ? lever_of(filter, landmark.center) : Vec2{0, 0});
+  }
+  float* value = filter.covariance.data();
+  for (std::size_t i = 0; i < p.places_in_use(); ++i) {
+    const float part = variance * lever[i];
+    for (std::size_t j = 0; j <= i; ++j) *value++ += part * lever[j];
+  }
+}
+
+// Moves the origin to the robot. There each place's error is the one before plus `lever` times the heading's.
+void move_origin(const FilterView& filter, std::span<float> heading) {
+  const Covariance p(filter);
+  const Vec2 lever = lever_of(filter, filter.at.pose.position);
+  filter.origin = filter.at.pose.position;
+  const auto for_each_place = [&](auto&& apply) {
+    const auto both = [&](std::size_t x) {
+      apply(x, lever.x());
+      apply(x + 1, lever.y());
+    };
+    both(kX);
+    for (std::size_t l = 0; l < filter.in_use; ++l) {
+      if (filter.landmarks[l].used()) both(x_of(l));
+    }
+  };
+  const std::size_t places = p.places_in_use();
+  for (std::size_t i = 0; i < places; ++i) heading[i] = p.at(kHeading, i);
+  for_each_place([&](std::size_t i, float part) { heading[i] += 0.5F * part * heading[kHeading]; });
+  for_each_place([&](std::size_t i, float part) {
+    for (std::size_t j = 0; j < places; ++j) p.at(i, j) += part * heading[j];
+    p.at(i, i) += part * heading[i];
+    for (std::size_t l = 0; l < filter.in_use; ++l) p.radius(l)[i] += part * p.radius(l)[kHeading];
+  });
 }
 
 }  // namespace
@@ -227,28 +273,29 @@ void start(const FilterView& filter) {
   std::fill(filter.covariance.begin(), filter.covariance.end(), 0.0F);
   const Covariance covariance(filter);
   for (const std::size_t i : {kX, kY, kHeading}) covariance.at(i, i) = kStartVariance;
+  filter.origin = filter.at.pose.position;
   filter.gauge = {};
 }
 
-void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise) {
+void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise, std::span<float> scratch) {
   FilterPose& at = filter.at;
   if (odometry == at.odometry) return;
-  const Vec2 driven = rotated(direction_of(at.pose.heading - at.odometry.heading),
-                              offset_from(at.odometry.position, odometry.position));
+  const float distance = offset_from(at.odometry.position, odometry.position).norm();
   const auto turned = static_cast<float>(
       short_way(static_cast<std::int64_t>(odometry.heading) - static_cast<std::int64_t>(at.odometry.heading)));
   at.pose = corrected(at, odometry);
   at.odometry = odometry;
-  shear(filter, driven);
   const Covariance covariance(filter);
-  const float distance = driven.norm();
   DriftGauge& gauge = filter.gauge;
   const float position = gauge.factor * noise.position * noise.position * distance;
   const float heading = gauge.factor * (noise.heading * noise.heading * distance +
                                         noise.turning * noise.turning * std::fabs(turned) / kMicroradians);
   covariance.at(kX, kX) += position;
   covariance.at(kY, kY) += position;
-  covariance.at(kHeading, kHeading) += heading;
+  doubt_heading(filter, heading, scratch);
+  if (offset_from(filter.origin, at.pose.position).squared_norm() > kFarthestStep * kFarthestStep) {
+    move_origin(filter, scratch);
+  }
   gauge.position += position;
   gauge.heading += heading;
 }
@@ -257,27 +304,23 @@ void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGues
   forget_landmark(filter, slot);
   const Covariance p(filter);
   filter.landmarks[slot] = {moved(filter.at.pose.position, guess.away), guess.radius};
-  // It goes where the pose goes, and turns with it.
-  const Vec2 lever = left_of(guess.away);
+  // Its error is the pose's, and what it was seen with.
   const std::size_t x = x_of(slot);
   const std::size_t y = y_of(slot);
-  const auto inherit = [&](float along_x, float along_y, float heading, float& own_x, float& own_y) {
-    own_x = along_x + lever.x() * heading;
-    own_y = along_y + lever.y() * heading;
-  };
   for (std::size_t i = 0; i < p.places(); ++i) {
     if (i == x || i == y) continue;
-    inherit(p.at(kX, i), p.at(kY, i), p.at(kHeading, i), p.at(x, i), p.at(y, i));
+    p.at(x, i) = p.at(kX, i);
+    p.at(y, i) = p.at(kY, i);
   }
   for (std::size_t l = 0; l < filter.landmarks.size(); ++l) {
     const std::span<float> row = p.radius(l);
-    inherit(row[kX], row[kY], row[kHeading], row[x], row[y]);
+    row[x] = row[kX];
+    row[y] = row[kY];
   }
-  // And is as uncertain as it was seen.
   const Symmetric3& c = guess.covariance;
-  p.at(x, x) = p.at(x, kX) + lever.x() * p.at(x, kHeading) + c.xx;
-  p.at(y, x) = p.at(x, kY) + lever.y() * p.at(x, kHeading) + c.xy;
-  p.at(y, y) = p.at(y, kY) + lever.y() * p.at(y, kHeading) + c.yy;
+  p.at(x, x) = p.at(kX, kX) + c.xx;
+  p.at(y, x) = p.at(kY, kX) + c.xy;
+  p.at(y, y) = p.at(kY, kY) + c.yy;
   const std::span<float> radius = p.radius(slot);
   radius[x] = c.xr;
   radius[y] = c.yr;
@@ -296,33 +339,29 @@ void forget_landmark(const FilterView& filter, std::size_t slot) {
 }
 
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step, float min_share) {
+                       std::span<float> scratch, float min_share) {
   const MapPose& pose = filter.at.pose;
   const Landmark& landmark = filter.landmarks[slot];
   const Vec2 map_R_robot = direction_of(pose.heading);
   const Vec2 normal = rotated(map_R_robot, seen.normal);
   const Vec2 away = offset_from(pose.position, landmark.center);
-  const Jacobian jacobian = jacobian_of(rotated(map_R_robot, seen.slope), away, seen.radii);
+  const Jacobian jacobian{rotated(map_R_robot, seen.slope), seen.radii};
   const float residual = seen.bound - normal.dot(away) - seen.radii * landmark.radius;
-  const Projection projection(filter, slot, jacobian, step);
+  const Projection projection(filter, slot, jacobian, scratch);
   const float known = projection.own();
   float innovation = known + variance;
   if (!(innovation > 0.5F * variance) || !(innovation < kFarthestStep * kFarthestStep)) return TangentFate::kRefused;
   const float squared = residual * residual / innovation;
-  compare(filter.gauge, jacobian, squared, innovation);
+  compare(filter.gauge, jacobian.normal, away, squared, innovation);
   if (!(squared <= kFilterGateSigmas * kFilterGateSigmas)) return TangentFate::kGated;
   if (known < min_share * variance) return TangentFate::kKnown;
   projection.others();
   if (squared > kUsualSigmas * kUsualSigmas) innovation *= std::sqrt(squared) / kUsualSigmas;
-  if (!stays_positive(filter, step, innovation)) return TangentFate::kRefused;
-  const float gain = residual / innovation;
-  const std::span<float> places = step.first(places_of(filter.in_use));
-  const std::span<float> radii = step.subspan(places_of(filter.landmarks.size()), filter.in_use);
-  if (!is_plausible(places, gain) || !is_plausible(radii, gain)) return TangentFate::kRefused;
-  reduce(filter, step, innovation);
-  for (float& part : places) part *= gain;
-  for (float& part : radii) part *= gain;
-  move_states(filter, step);
+  if (!stays_positive(filter, scratch, innovation)) return TangentFate::kRefused;
+  const Step step(filter, scratch, residual / innovation);
+  if (!step.is_plausible()) return TangentFate::kRefused;
+  reduce(filter, scratch, innovation);
+  step.take();
   return TangentFate::kUsed;
 }
 
@@ -332,10 +371,9 @@ CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   CylinderEstimate seen;
   seen.center = offset_from(filter.at.pose.position, landmark.center);
   seen.radius = landmark.radius;
-  // In the robot's frame a turn of the heading moves the centre the other way.
-  const Vec2 lever = -left_of(seen.center);
-  const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX) + lever.x() * row(kHeading); };
-  const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY) + lever.y() * row(kHeading); };
+  // The heading's error turns both: it is no part of the difference in the robot's frame.
+  const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX); };
+  const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY); };
   const auto of_x = [&](std::size_t i) { return x([&](std::size_t j) { return p.at(i, j); }); };
   const auto of_y = [&](std::size_t i) { return y([&](std::size_t j) { return p.at(i, j); }); };
   const std::span<const float> radius = p.radius(slot);
@@ -345,19 +383,22 @@ CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   return seen;
 }
 
-PoseSigma pose_sigma(std::span<const float> covariance) {
-  constexpr std::size_t kXx = 0;
-  constexpr std::size_t kYy = 2;
-  constexpr std::size_t kHeadingHeading = 5;
-  return {std::sqrt(0.5F * (covariance[kXx] + covariance[kYy])), std::sqrt(covariance[kHeadingHeading])};
+PoseSigma pose_sigma(std::span<const float> covariance, const Vec2& from_origin) {
+  constexpr std::size_t kXx = 0, kYy = 2, kXHeading = 3, kYHeading = 4, kHeadingHeading = 5;
+  const Vec2 lever = left_of(from_origin);
+  const float with_heading = lever.x() * covariance[kXHeading] + lever.y() * covariance[kYHeading];
+  const float heading = covariance[kHeadingHeading];
+  const float sum = covariance[kXx] + covariance[kYy] + 2 * with_heading + lever.squared_norm() * heading;
+  return {std::sqrt(std::max(0.0F, 0.5F * sum)), std::sqrt(heading)};
 }
 
 float distance_to(const FilterView& filter, const MapPose& other) {
   const Covariance p(filter);
   const MapPose& pose = filter.at.pose;
-  const Vec2 off = offset_from(pose.position, other.position);
-  const float turn =
-      static_cast<float>(short_way(static_cast<std::int64_t>(other.heading) - pose.heading)) / kMicroradians;
+  const std::int64_t turned = short_way(static_cast<std::int64_t>(other.heading) - pose.heading);
+  const float turn = static_cast<float>(turned) / kMicroradians;
+  const Vec2 off = offset_from(filter.origin, other.position) -
+                   rotated(direction_of(turned), offset_from(filter.origin, pose.position));
   // Three equations in turn; each has the correlation with the ones before removed (a Cholesky factorisation).
   const float xx = p.at(kX, kX), xy = p.at(kY, kX), xh = p.at(kHeading, kX);
   if (!(xx > 0)) return 0;

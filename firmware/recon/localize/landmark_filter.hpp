@@ -3,6 +3,9 @@
 //
 // A tangent n.q = b of a circle (c, r), robot frame, gives the equation n.R'(c - P) + r = b. It is linear in (c, r) and
 // one number, so no matrix is inverted. Half the sum and half the difference of two such equations have the same form.
+// The error of a place leaves out by how much the heading's error has turned it about an origin (the right-invariant
+// error, EQUATIONS.md section 8). To turn the whole map then changes no equation, whatever the estimates. Otherwise it
+// does once they change, and the filter learns a heading that nothing has measured.
 // Covariances are kept as one triangle, which cannot be asymmetric. Those between the radii of two landmarks are not
 // kept; each is added to both variances instead. That is the safe side: for any d the matrix [|d| -d; -d |d|] is not
 // negative. It saves N (N - 1) / 2 floats and costs about 1 % of the correction.
@@ -75,7 +78,7 @@ constexpr std::size_t places_of(std::size_t n) { return 3 + 2 * n; }
 constexpr std::size_t covariances_of(std::size_t n) {
   return places_of(n) * (places_of(n) + 1) / 2 + n * (places_of(n) + 1);
 }
-/// The number of states, and the size of correct_by()'s `step`: one for each place and each radius.
+/// The number of states, one for each place and each radius: the size of `scratch`.
 constexpr std::size_t states_of(std::size_t n) { return places_of(n) + n; }
 
 struct FilterPose {
@@ -96,6 +99,7 @@ struct DriftGauge {
 /// Any filter, whatever its number of landmarks.
 struct FilterView {
   FilterPose& at;
+  MapPoint& origin;  ///< of the turns by the heading's error; it follows the robot
   DriftGauge& gauge;
   std::span<Landmark> landmarks;
   std::span<float> covariance;
@@ -112,23 +116,23 @@ Vec2 turned(const Vec2& v, std::int32_t angle);
 
 /// No landmarks, and a pose that is known: it is what the map frame is.
 void start(const FilterView& filter);
-/// The robot has moved to `odometry`.
-void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise);
+/// The robot has moved to `odometry`. `scratch` has states_of() elements, here and below.
+void drive_to(const FilterView& filter, const MapPose& odometry, const DriftNoise& noise, std::span<float> scratch);
 void add_landmark(const FilterView& filter, std::size_t slot, const LandmarkGuess& guess);
 void forget_landmark(const FilterView& filter, std::size_t slot);
 
 /// Updates the filter with one equation of the landmark in `slot`; `variance` (m^2) of its bound, non-roundness
 /// included. The equation is left out if the prior variance of its bound is below the share `min_share` of that.
-/// Residuals beyond two sigmas count less, by Huber's weight. `step` has states_of() elements; after an update it holds
-/// the step of each state in use (m, rad). Cost: (places^2 + 4 places * landmarks) multiplications, of those in use.
+/// Residuals beyond two sigmas count less, by Huber's weight. Cost: (places^2 + 4 places * landmarks) multiplications,
+/// of those in use.
 TangentFate correct_by(const FilterView& filter, std::size_t slot, const CircleEquation& seen, float variance,
-                       std::span<float> step, float min_share = 0);
+                       std::span<float> scratch, float min_share = 0);
 
 /// The landmark relative to the robot: its centre from the pose's position, map axes. The covariance is that of the
 /// difference and includes the heading's part.
 CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot);
-/// The sigmas of the pose, from its packed covariances.
-PoseSigma pose_sigma(std::span<const float> covariance);
+/// The sigmas of the pose, from its packed covariances and its position from the filter's origin (m).
+PoseSigma pose_sigma(std::span<const float> covariance, const Vec2& from_origin);
 /// Squared distance of another pose from the filter's, in sigmas of the filter's (Mahalanobis, 3 degrees of freedom).
 float distance_to(const FilterView& filter, const MapPose& other);
 
@@ -138,11 +142,15 @@ class LandmarkFilter {
   static constexpr std::size_t kStates = states_of(kLandmarks);
 
   [[nodiscard, gnu::noinline]] FilterView view() {
-    return {at_, gauge_, landmarks_, covariance_, base::slots_in_use(landmarks_)};
+    return {at_, origin_, gauge_, landmarks_, covariance_, base::slots_in_use(landmarks_)};
   }
   [[nodiscard]] const Landmark& landmark(std::size_t slot) const { return landmarks_[slot]; }
   [[nodiscard]] const FilterPose& at() const { return at_; }
+  [[nodiscard]] const MapPoint& origin() const { return origin_; }
   [[nodiscard]] const DriftGauge& gauge() const { return gauge_; }
+  [[nodiscard]] PoseSigma sigma() const {
+    return pose_sigma(pose_covariances(), offset_from(origin_, at_.pose.position));
+  }
   /// For the digest: of the pose alone; of one landmark's place with all before it; of its radius with all places.
   [[nodiscard]] std::span<const float> pose_covariances() const { return std::span(covariance_).first(6); }
   [[nodiscard]] std::span<const float> place_covariances(std::size_t slot) const {
@@ -156,6 +164,7 @@ class LandmarkFilter {
 
  private:
   FilterPose at_;
+  MapPoint origin_;
   DriftGauge gauge_;
   std::array<Landmark, kLandmarks> landmarks_{};
   std::array<float, covariances_of(kLandmarks)> covariance_{};

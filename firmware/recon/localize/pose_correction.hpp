@@ -82,7 +82,10 @@ class PoseCorrection {
     guesses_ = order.always;
     corrects_ = on && (corrects_ || order.always);
     looks_ = on && has_gone(odometry, corrects_ ? kPace.corrected : kPace.believed);
-    if (looks_) drive_to(filter_.view(), odometry, drift_noise(order.drift));
+    if (looks_) {
+      std::array<float, LandmarkFilter<kLandmarks>::kStates> scratch{};
+      drive_to(filter_.view(), odometry, drift_noise(order.drift), scratch);
+    }
     if (corrects_) at_ = filter_.at();
     return corrected(odometry);
   }
@@ -100,7 +103,7 @@ class PoseCorrection {
   [[nodiscard]] const LandmarkFilter<kLandmarks>& filter() const { return filter_; }
   /// At the last frame.
   [[nodiscard]] const MapPose& pose() const { return filter_.at().pose; }
-  [[nodiscard]] PoseSigma sigma() const { return pose_sigma(filter_.pose_covariances()); }
+  [[nodiscard]] PoseSigma sigma() const { return filter_.sigma(); }
 
   /// A frame, for place_of().
   struct Look {
@@ -224,8 +227,8 @@ class PoseCorrection {
     for (std::size_t i = 0; i < circle.lines.size(); ++i) {
       const SightedCircle::Line& line = circle.lines[i];
       if (!(line.variance > 0) || i == left_out) continue;
-      std::array<float, LandmarkFilter<kLandmarks>::kStates> step{};
-      static_cast<void>(correct_by(filter, slot, line.equation, line.variance, step, kPace.min_share));
+      std::array<float, LandmarkFilter<kLandmarks>::kStates> scratch{};
+      static_cast<void>(correct_by(filter, slot, line.equation, line.variance, scratch, kPace.min_share));
       surprise = std::max(surprise, filter.gauge.surprise);
     }
     return surprise;

@@ -38,7 +38,8 @@ inline constexpr float kStartVariance = kRounding;
 /// reach kSurelySigmas, and sigmas may be half of what they should be (kOverconfidence). Real runs agree.
 inline constexpr float kFilterGateSigmas = 2 * kSurelySigmas;
 static_assert(kOverconfidence == 2 * 2);
-/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. Tuning table, flat.
+/// m and rad, maximum step by one tangent: a larger one means that the numbers are wrong. The filter's origin is no
+/// farther from the robot. Tuning table, flat.
 inline constexpr float kFarthestStep = 2.0F;
 
 // --- drift and models ---

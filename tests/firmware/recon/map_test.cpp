@@ -730,7 +730,7 @@ TEST(Map, OfThingsOnALattice) {
     tell_map<config::Small>(draw, sweep, 60);
     tell_map<config::Full>(draw, sweep, 40);
   }
-  expect_said(sweep, {"digest 960 6b90c2e7", "matched 925 e322db86", "born 187 82779864", "pieces 213 6d412a13",
+  expect_said(sweep, {"digest 960 d520af65", "matched 925 e322db86", "born 187 82779864", "pieces 213 6d412a13",
                       "refused 199 efc0c148", "event 1028 a7a9830e", "guard 0 654737f8", "evicted 6 b7e768a9",
                       "size 0 69488d24"});
 }

@@ -171,18 +171,18 @@ float found_distance(unsigned seed, int views) {
   recon::add_landmark(filter->view(), 0, guess);
   MeasurementNoise noise;
   noise.heading = kBearing;
-  std::array<float, LandmarkFilter<1>::kStates> step{};
+  std::array<float, LandmarkFilter<1>::kStates> scratch{};
   for (int i = 0; i < views; ++i) {
     const double y = kSway * std::sin(0.1 * i);
     recon::MapPose pose;
     pose.position = recon::moved({}, {0, static_cast<float>(y)});
-    recon::drive_to(filter->view(), pose, {});
+    recon::drive_to(filter->view(), pose, {}, scratch);
     filter->view().at.pose = pose;
     const Vec2 away = recon::offset_from(pose.position, filter->landmark(0).center);
     const Sighting seen = sighting_of(kDistance, -y, kRadiusThere, wrong(random));
     const SightedCircle circle = sighted_circle(seen, away, filter->landmark(0).radius, 1, noise);
     for (const auto& line : circle.lines) {
-      if (line.variance > 0) recon::correct_by(filter->view(), 0, line.equation, line.variance, step);
+      if (line.variance > 0) recon::correct_by(filter->view(), 0, line.equation, line.variance, scratch);
     }
   }
   return recon::offset_from({}, filter->landmark(0).center).x();
