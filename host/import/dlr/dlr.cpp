@@ -12,11 +12,10 @@
 namespace fencepost::host {
 namespace {
 
-constexpr double kDiscRadius = 0.1;      // m
 constexpr double kDiscThickness = 0.02;  // m, of the virtual disc: its far edge is above the floor, its foot is not
 constexpr double kDlrLensHeight = 0.5;   // m, of the virtual camera
 constexpr double kMaxBearing = 1.02;     // rad off the axis, with the disc: the virtual image ends there
-constexpr int kDiscSignatures = 31;      // one less than profile full names: the last is of unknown discs
+constexpr int kDiscSignatures = kDlrUnknownDisc - 1;
 
 sensor::CameraIntrinsics dlr_camera() {
   sensor::CameraIntrinsics camera;
@@ -34,9 +33,9 @@ sensor::CameraIntrinsics dlr_camera() {
 /// The box of a disc on the floor; nothing where the robot stands on it or the image ends.
 std::optional<ImportedBlob> box_of(const DlrDisc& disc, const sensor::CameraIntrinsics& camera) {
   const double range = std::hypot(disc.x, disc.y);
-  if (range <= kDiscRadius) return std::nullopt;
+  if (range <= kDlrDiscRadius) return std::nullopt;
   const double bearing = std::atan2(disc.y, disc.x);
-  const double half = std::asin(kDiscRadius / range);
+  const double half = std::asin(kDlrDiscRadius / range);
   if (std::abs(bearing) + half > kMaxBearing) return std::nullopt;
   const double f = camera.fx.to_double();
   const double cx = camera.cx.to_double();
@@ -44,8 +43,8 @@ std::optional<ImportedBlob> box_of(const DlrDisc& disc, const sensor::CameraIntr
   ImportedBlob blob;  // continuous edges to inclusive pixels
   blob.x1 = cx - f * std::tan(bearing + half) + 0.5;
   blob.x2 = cx - f * std::tan(bearing - half) - 0.5;
-  blob.y1 = cy + f * (kDlrLensHeight - kDiscThickness) / ((range + kDiscRadius) * std::cos(bearing)) + 0.5;
-  blob.y2 = cy + f * kDlrLensHeight / ((range - kDiscRadius) * std::cos(bearing)) - 0.5;
+  blob.y1 = cy + f * (kDlrLensHeight - kDiscThickness) / ((range + kDlrDiscRadius) * std::cos(bearing)) + 0.5;
+  blob.y2 = cy + f * kDlrLensHeight / ((range - kDlrDiscRadius) * std::cos(bearing)) - 0.5;
   return blob;
 }
 
@@ -74,7 +73,7 @@ Taken take_dlr(const std::vector<DlrStep>& steps, const DlrOptions& options, con
         continue;
       }
       if (options.identity && disc.id < 0) {
-        blob->signature = kDiscSignatures + 1;
+        blob->signature = kDlrUnknownDisc;
       } else if (options.identity) {
         blob->signature =
             1 + order.try_emplace(disc.id, static_cast<int>(order.size())).first->second % kDiscSignatures;

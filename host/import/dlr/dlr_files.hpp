@@ -21,7 +21,9 @@ struct DlrStep {
   std::vector<DlrDisc> discs;
 };
 
-inline constexpr double kDlrPeriod = 0.5;  ///< s a step: the file has no times
+inline constexpr double kDlrPeriod = 0.5;      ///< s a step: the file has no times
+inline constexpr double kDlrDiscRadius = 0.1;  ///< m
+inline constexpr int kDlrUnknownDisc = 32;     ///< signature of discs that are not known, the last of profile full
 
 /// error: ImportProblem, naming file and line
 std::vector<DlrStep> read_dlr(const std::string& path);

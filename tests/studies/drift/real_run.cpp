@@ -96,8 +96,7 @@ RealResult run_real(const RealRun& run, const RealOptions& options) {
   std::vector<Pair> pairs;
   std::vector<Pair> textbook;
   std::map<std::uint8_t, host::Point> by_textbook;
-  if (options.rows)
-    by_textbook = textbook_landmarks(imported.log, imported.truth->camera, host::MrclamOptions{}.diameter / 2);
+  if (options.rows) by_textbook = run_textbook(imported.log, host::MrclamOptions{}.diameter / 2).landmarks;
   for (const host::SceneObject& landmark : imported.truth->objects) {
     std::string name = landmark.name;
     if (run.exchanged && name == "landmark 11") {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "firmware/recon/observe/sighting.hpp"
 #include "firmware/record/decode.hpp"
 #include "host/import/text_lines.hpp"
-#include "host/scene/scene.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -35,9 +35,11 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 /// A frame's exposure lies between the last two samples of odometry: it comes after them.
 struct LogReader {
+  double radius = 0;
+  std::uint8_t unknown = 0;
   TextbookFilter filter;
   recon::CameraModel camera;
-  double radius = 0;
+  std::vector<host::TimedPose> path;
   host::TimedPose at;  ///< of the filter, by odometry
   std::optional<host::TimedPose> last;
 
@@ -47,6 +49,7 @@ struct LogReader {
     filter.move(c * dx + s * dy, c * dy - s * dx, wrapped(pose.heading - at.heading));
     at = pose;
   }
+  void accept(const sensor::CameraIntrinsics& intrinsics) { camera = recon::make_camera_model(intrinsics); }
   void accept(const sensor::OdometrySample& sample) {
     const host::TimedPose pose{sample.t.to_double(), sample.x.to_double(), sample.y.to_double(),
                                sample.heading.to_double()};
@@ -64,7 +67,11 @@ struct LogReader {
       move_to({t, at.x + share * (last->x - at.x), at.y + share * (last->y - at.y),
                at.heading + share * wrapped(last->heading - at.heading)});
     }
-    for (const sensor::Blob& blob : frame.blobs) see(blob);
+    path.push_back(filter.pose());
+    path.back().t = t;
+    for (const sensor::Blob& blob : frame.blobs) {
+      if (blob.signature != unknown) see(blob);
+    }
   }
   void see(const sensor::Blob& blob) {
     const recon::Observation seen = recon::observe_alone(camera, {blob.x1, blob.y1, blob.x2, blob.y2});
@@ -170,13 +177,12 @@ std::map<std::uint8_t, host::Point> TextbookFilter::landmarks() const {
   return found;
 }
 
-std::map<std::uint8_t, host::Point> textbook_landmarks(const std::string& log, const sensor::CameraIntrinsics& camera,
-                                                       double radius) {
-  LogReader reader{{}, recon::make_camera_model(camera), radius, {}, {}};
+TextbookRun run_textbook(const std::string& log, double radius, std::uint8_t unknown) {
+  LogReader reader{radius, unknown, {}, {}, {}, {}, {}};
   for (const std::string_view line : host::lines_of(log)) {
     if (!record::decode(line, {}, reader)) throw std::runtime_error("not a record: " + std::string(line));
   }
-  return reader.filter.landmarks();
+  return {reader.filter.landmarks(), std::move(reader.path)};
 }
 
 }  // namespace fencepost::test

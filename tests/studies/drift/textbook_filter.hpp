@@ -6,9 +6,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "hal/sensor/camera.hpp"
 #include "host/geometry/polygon.hpp"
+#include "host/scene/scene.hpp"
 
 namespace fencepost::test {
 
@@ -20,6 +21,8 @@ class TextbookFilter {
   void move(double forward, double left, double turn);
   /// From the robot to the landmark's middle. One that was never seen with its range is not known.
   void see(std::uint8_t signature, double bearing, std::optional<double> range);
+  /// Time is zero.
+  [[nodiscard]] host::TimedPose pose() const { return {0, state_(0), state_(1), state_(2)}; }
   /// By signature.
   [[nodiscard]] std::map<std::uint8_t, host::Point> landmarks() const;
 
@@ -36,9 +39,14 @@ class TextbookFilter {
   std::map<std::uint8_t, int> missed_;  ///< times in a row beyond the gate
 };
 
-/// The landmarks of a whole log whose boxes have ground rows. `radius`: of all landmarks, m. Throws std::runtime_error
-/// where the log cannot be read.
-std::map<std::uint8_t, host::Point> textbook_landmarks(const std::string& log, const sensor::CameraIntrinsics& camera,
-                                                       double radius);
+/// The results of a log.
+struct TextbookRun {
+  std::map<std::uint8_t, host::Point> landmarks;  ///< by signature
+  std::vector<host::TimedPose> path;              ///< at each frame, before it corrects
+};
+
+/// Reads a whole log whose boxes have ground rows. `radius`: of all landmarks, m. Boxes of the signature `unknown` are
+/// left out. Throws std::runtime_error where the log cannot be read.
+TextbookRun run_textbook(const std::string& log, double radius, std::uint8_t unknown = 0);
 
 }  // namespace fencepost::test

@@ -9,6 +9,7 @@
 #include "host/import/import.hpp"
 #include "host/replay/replay.hpp"
 #include "tests/firmware/record/lines.hpp"
+#include "tests/studies/drift/textbook_filter.hpp"
 
 namespace fencepost::test {
 namespace {
@@ -31,9 +32,10 @@ double scatter(const std::vector<host::Point>& places) {
   return sum / static_cast<double>(places.size());
 }
 
-double scatter_of(const std::vector<host::DlrStep>& steps, std::size_t from, const host::ResultDocument& result) {
+template <class Path>
+double scatter_of(const std::vector<host::DlrStep>& steps, std::size_t from, const Path& path) {
   std::map<int, std::vector<host::Point>> places;
-  for (const host::PoseResult& pose : result.path) {
+  for (const auto& pose : path) {
     const auto step = from + static_cast<std::size_t>(std::lround(pose.t / host::kDlrPeriod));
     for (const host::DlrDisc& disc : steps.at(step).discs) {
       if (disc.id < 0) continue;
@@ -52,10 +54,9 @@ double scatter_of(const std::vector<host::DlrStep>& steps, std::size_t from, con
   return sum / static_cast<double>(discs);
 }
 
-}  // namespace
-
-std::vector<double> run_dlr(const std::string& file, std::size_t steps, bool identity,
-                            const std::vector<std::pair<std::string, std::string>>& settings) {
+// `path_of(log)` of each window's log.
+template <class PathOf>
+std::vector<double> scatters(const std::string& file, std::size_t steps, bool identity, const PathOf& path_of) {
   const std::vector<host::DlrStep> all = host::read_dlr(file);
   std::vector<double> windows;
   for (std::size_t from = 0; from + steps < all.size(); from += steps) {
@@ -65,13 +66,28 @@ std::vector<double> run_dlr(const std::string& file, std::size_t steps, bool ide
     options.to = from + steps;
     const host::ImportResult imported = host::import_dlr(file, options);
     if (!imported.ok()) throw std::runtime_error(imported.error().message());
-    host::ReplayOptions replay;
-    replay.settings = settings;
-    const host::ReplayOutcome outcome = host::replay(imported->log, file, replay);
-    if (outcome.unreadable) throw std::runtime_error(outcome.unreadable->message);
-    windows.push_back(scatter_of(all, from, outcome.result));
+    windows.push_back(scatter_of(all, from, path_of(imported->log)));
   }
   return windows;
+}
+
+}  // namespace
+
+std::vector<double> run_dlr(const std::string& file, std::size_t steps, bool identity,
+                            const std::vector<std::pair<std::string, std::string>>& settings) {
+  return scatters(file, steps, identity, [&](const std::string& log) {
+    host::ReplayOptions replay;
+    replay.settings = settings;
+    host::ReplayOutcome outcome = host::replay(log, file, replay);
+    if (outcome.unreadable) throw std::runtime_error(outcome.unreadable->message);
+    return std::move(outcome.result.path);
+  });
+}
+
+std::vector<double> run_dlr_by_textbook(const std::string& file, std::size_t steps) {
+  return scatters(file, steps, true, [](const std::string& log) {
+    return run_textbook(log, host::kDlrDiscRadius, host::kDlrUnknownDisc).path;
+  });
 }
 
 }  // namespace fencepost::test

@@ -11,5 +11,7 @@ namespace fencepost::test {
 /// Throws std::runtime_error if the file cannot be read.
 std::vector<double> run_dlr(const std::string& file, std::size_t steps, bool identity,
                             const std::vector<std::pair<std::string, std::string>>& settings);
+/// The same by a textbook filter that knows which disc is which.
+std::vector<double> run_dlr_by_textbook(const std::string& file, std::size_t steps);
 
 }  // namespace fencepost::test
