@@ -134,7 +134,8 @@ class ProfileRobot final : public StormRobot {
   };
 
   void follow_alert(base::Time now) {
-    if (judged_.since(now) < kJudgeEvery) return;
+    // An image's clock begins at zero, this one anywhere.
+    if (turns_ > 0 && judged_.since(now) < kJudgeEvery) return;
     judged_ = base::Stamp(now);
     may_drive_ = permit_.judge(in_force(), links(), now) && !memory().console.motion.held;
   }
