@@ -99,11 +99,12 @@ void Watch::note_inputs(const StormRobot& robot, const Outside& outside, base::T
   if (unused) forget_image(now);
   if (given.odometry && after.odometry != before.odometry) note_sample(*given.odometry, now);
   if (given.frame && after.refused[queue] == before.refused[queue] && !rejected) {
-    const bool caught_up = !seen_.kept_away || now - *seen_.kept_away > kCatchesUp;
-    note_frame(*given.frame, robot.camera(), caught_up && now - outside.camera.held > kCatchesUp, now);
+    note_frame(*given.frame, robot.camera(), caught_up(now) && now - outside.camera.held > kCatchesUp, now);
   }
   if (unused) forget_image(now);
 }
+
+bool Watch::caught_up(base::Time now) const { return !seen_.kept_away || now - *seen_.kept_away > kCatchesUp; }
 
 // This frame or another was not used: what the guard knows of the image is not known here.
 void Watch::forget_image(base::Time now) {
@@ -243,7 +244,8 @@ void Watch::check_links(const StormRobot& robot, const Outside& outside, base::T
       fault("link-back", now, fmt::format("{} is {} long after its last fault", name, sensor::name(state)));
     }
     const bool steady = (!line.plugged && lasted > kLinkReported) || quiet;
-    if (steady && now - outside.choked > kSettled && now - seen_.begun > kSettled && robot.idle() && reported &&
+    const bool settled = now - outside.choked > kSettled && now - seen_.begun > kSettled && caught_up(now);
+    if (steady && settled && robot.idle() && reported &&
         (*reported == LinkState::kAbsent) != (state == LinkState::kAbsent)) {
       fault("link-said", now,
             fmt::format("{} is {}, and {} was said", name, sensor::name(state), sensor::name(*reported)));

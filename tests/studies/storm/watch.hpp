@@ -80,6 +80,8 @@ class Watch {
   void note_inputs(const StormRobot& robot, const Outside& outside, base::Time now);
   /// `in_time`: it did not lie anywhere on its way, so it was seen from where the robot was when it came.
   void note_frame(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, bool in_time, base::Time now);
+  /// The loop was not kept away lately.
+  [[nodiscard]] bool caught_up(base::Time now) const;
   void forget_image(base::Time now);
   void note_change(base::Time t);
   void note_motion(const sensor::BlobFrame& frame, const sensor::CameraIntrinsics& camera, base::Time now);
