@@ -15,7 +15,7 @@ namespace {
 constexpr double kDiscThickness = 0.02;  // m, of the virtual disc: its far edge is above the floor, its foot is not
 constexpr double kDlrLensHeight = 0.5;   // m, of the virtual camera
 constexpr double kMaxBearing = 1.02;     // rad off the axis, with the disc: the virtual image ends there
-constexpr int kDiscSignatures = kDlrUnknownDisc - 1;
+constexpr int kDiscSignatures = kDlrUnknownDisc - 1;  // of known discs
 
 sensor::CameraIntrinsics dlr_camera() {
   sensor::CameraIntrinsics camera;

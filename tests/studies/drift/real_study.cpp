@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "tests/studies/common/median.hpp"
 #include "tests/studies/common/study.hpp"
 #include "tests/studies/drift/real_run.hpp"
 
@@ -43,12 +44,6 @@ void print_row(const RealRun& run, const RealResult& result) {
   print(row);
 }
 
-// The mean of the middle two; sorts them.
-double sorted_median(std::vector<double>& values) {
-  std::sort(values.begin(), values.end());
-  return 0.5 * (values[values.size() / 2] + values[(values.size() - 1) / 2]);
-}
-
 bool run(const Request& request) {
   Request wanted = request;
   for (const std::string& setting : request.settings) {
@@ -75,13 +70,14 @@ bool run(const Request& request) {
     objects = std::max(objects, result.objects);
   }
   if (maps.empty()) return true;
-  const double median = sorted_median(maps);
-  const bool reached = median <= kMedian && maps.back() <= kWorst && objects <= kObjects;
+  const double median = median_of(maps);
+  const double worst = std::ranges::max(maps);
+  const bool reached = median <= kMedian && worst <= kWorst && objects <= kObjects;
   print(fmt::format("\nmedian {:.3f} m, worst {:.3f} m, at most {} objects; wanted: {:.2f}, {:.2f}, {}\n", median,
-                    maps.back(), objects, kMedian, kWorst, kObjects));
+                    worst, objects, kMedian, kWorst, kObjects));
   if (!textbook.empty()) {
-    const double middle = sorted_median(textbook);
-    print(fmt::format("a textbook filter: median {:.3f} m, worst {:.3f}\n", middle, textbook.back()));
+    print(fmt::format("a textbook filter: median {:.3f} m, worst {:.3f}\n", median_of(textbook),
+                      std::ranges::max(textbook)));
   }
   return reached || !request.judge;
 }

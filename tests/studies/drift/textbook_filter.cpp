@@ -178,7 +178,9 @@ std::map<std::uint8_t, host::Point> TextbookFilter::landmarks() const {
 }
 
 TextbookRun run_textbook(const std::string& log, double radius, std::uint8_t unknown) {
-  LogReader reader{radius, unknown, {}, {}, {}, {}, {}};
+  LogReader reader;
+  reader.radius = radius;
+  reader.unknown = unknown;
   for (const std::string_view line : host::lines_of(log)) {
     if (!record::decode(line, {}, reader)) throw std::runtime_error("not a record: " + std::string(line));
   }

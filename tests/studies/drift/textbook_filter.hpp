@@ -14,7 +14,7 @@
 namespace fencepost::test {
 
 /// EKF SLAM with known correspondences, full covariance and one gate (Thrun, Burgard, Fox, Probabilistic
-/// Robotics, 10.2). Metres and radians; the frame is that of the first pose. At most 30 landmarks.
+/// Robotics, 10.2). Metres and radians; the frame is that of the first pose. At most 31 landmarks.
 class TextbookFilter {
  public:
   /// A step of odometry in the robot's frame before it: forward, to the left, turned.
@@ -27,7 +27,7 @@ class TextbookFilter {
   [[nodiscard]] std::map<std::uint8_t, host::Point> landmarks() const;
 
  private:
-  static constexpr int kMaxStates = 3 + 2 * 30;
+  static constexpr int kMaxStates = 3 + 2 * 31;
   using State = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
   using Covariance = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates, kMaxStates>;
 

@@ -9,6 +9,7 @@
 #include "host/import/import.hpp"
 #include "host/replay/replay.hpp"
 #include "tests/firmware/record/lines.hpp"
+#include "tests/studies/common/median.hpp"
 #include "tests/studies/drift/textbook_filter.hpp"
 
 namespace fencepost::test {
@@ -16,17 +17,12 @@ namespace {
 
 constexpr std::size_t kMinSightings = 3;  // of a disc that counts
 
-double middle(std::vector<double> values) {
-  std::ranges::sort(values);
-  return (values[values.size() / 2] + values[(values.size() - 1) / 2]) / 2;
-}
-
 double scatter(const std::vector<host::Point>& places) {
   std::vector<double> x;
   std::vector<double> y;
   for (const host::Point& place : places) x.push_back(place.x), y.push_back(place.y);
-  const double at_x = middle(x);
-  const double at_y = middle(y);
+  const double at_x = median_of(x);
+  const double at_y = median_of(y);
   double sum = 0;
   for (const host::Point& place : places) sum += std::hypot(place.x - at_x, place.y - at_y);
   return sum / static_cast<double>(places.size());

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/studies/common/median.hpp"
 #include "tests/studies/common/study.hpp"
 #include "tests/studies/world/car_run.hpp"
 #include "tests/studies/world/dlr_run.hpp"
@@ -121,13 +122,11 @@ void measure_dlr(const Request& request) {
     const std::string name = identity ? "DLR, identity" : "DLR, one signature";
     if (name.find(request.only) == std::string::npos) continue;
     const std::vector<double> off = run_dlr(file, kSteps, identity, request.settings_with("off"));
-    const auto cells = [&](std::vector<double> windows) {
+    const auto cells = [&](const std::vector<double>& windows) {
       std::size_t worse = 0;
       for (std::size_t i = 0; i < off.size(); ++i) worse += windows[i] > kWorse * off[i] ? 1U : 0U;
-      std::ranges::sort(windows);
-      return fmt::format("{} | {:.2f} m | {:.2f} m | {} of {}", windows.size(),
-                         (windows[windows.size() / 2] + windows[(windows.size() - 1) / 2]) / 2, windows.back(), worse,
-                         windows.size());
+      return fmt::format("{} | {:.2f} m | {:.2f} m | {} of {}", windows.size(), median_of(windows),
+                         std::ranges::max(windows), worse, windows.size());
     };
     print_rows(request, name, [&](const std::string& correct) {
       return cells(run_dlr(file, kSteps, identity, request.settings_with(correct)));
