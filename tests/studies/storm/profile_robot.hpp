@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "firmware/image/boot.hpp"
 #include "firmware/image/keeper.hpp"
@@ -135,7 +136,7 @@ class ProfileRobot final : public StormRobot {
 
   void follow_alert(base::Time now) {
     // An image's clock begins at zero, this one anywhere.
-    if (turns_ > 0 && judged_.since(now) < kJudgeEvery) return;
+    if (judged_ && judged_->since(now) < kJudgeEvery) return;
     judged_ = base::Stamp(now);
     may_drive_ = permit_.judge(in_force(), links(), now) && !memory().console.motion.held;
   }
@@ -153,7 +154,7 @@ class ProfileRobot final : public StormRobot {
   loop::Loop<Profile, Camera, Odometry, host::PatientConsole> loop_;
   image::Keeper<Profile, StormFlash> keeper_;
   loop::MotionPermit permit_;
-  base::Stamp judged_;
+  std::optional<base::Stamp> judged_;
   bool may_drive_ = false;
   std::uint8_t turns_ = 0;
 };
