@@ -371,7 +371,7 @@ CylinderEstimate seen_from_robot(const FilterView& filter, std::size_t slot) {
   CylinderEstimate seen;
   seen.center = offset_from(filter.at.pose.position, landmark.center);
   seen.radius = landmark.radius;
-  // The heading's error turns both: it is no part of the difference in the robot's frame.
+  // Both errors leave out the heading's turn: their difference is the error in the robot's frame.
   const auto x = [&](auto&& row) { return row(x_of(slot)) - row(kX); };
   const auto y = [&](auto&& row) { return row(y_of(slot)) - row(kY); };
   const auto of_x = [&](std::size_t i) { return x([&](std::size_t j) { return p.at(i, j); }); };
